@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ * stad/config.h - version and the limits that are fixed when the library is built. */
+#ifndef STAD_CONFIG_H
+#define STAD_CONFIG_H
+
+#define STAD_VERSION_MAJOR 0
+#define STAD_VERSION_MINOR 1
+#define STAD_VERSION_PATCH 0
+#define STAD_VERSION       "0.1.0"
+
+/* Alignment in bytes of every workspace a caller hands in: one vector of the widest port. A static array gets it from
+ * STAD_ALIGNED, which gcc and clang spell as an attribute; with another compiler define it before including stad.h. */
+#define STAD_ALIGN 32
+#ifndef STAD_ALIGNED
+#    if defined(__GNUC__)
+#        define STAD_ALIGNED __attribute__((aligned(STAD_ALIGN)))
+#    else
+#        define STAD_ALIGNED
+#    endif
+#endif
+
+#endif

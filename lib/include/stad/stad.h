@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT
+ * stad/stad.h - everything public. */
+#ifndef STAD_STAD_H
+#define STAD_STAD_H
+
+#include "stad/config.h"
+#include "stad/image.h"
+#include "stad/match.h"
+#include "stad/params.h"
+#include "stad/status.h"
+
+#endif
