@@ -5,8 +5,12 @@
 
 #include "stad/config.h"
 #include "stad/image.h"
+#include "stad/mark.h"
 #include "stad/match.h"
 #include "stad/params.h"
+#include "stad/rig.h"
 #include "stad/status.h"
+#include "stad/target.h"
+#include "stad/truth.h"
 
 #endif
