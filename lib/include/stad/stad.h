@@ -4,13 +4,16 @@
 #define STAD_STAD_H
 
 #include "stad/config.h"
+#include "stad/cost.h"
 #include "stad/image.h"
 #include "stad/mark.h"
 #include "stad/match.h"
 #include "stad/params.h"
 #include "stad/rig.h"
+#include "stad/score.h"
 #include "stad/status.h"
 #include "stad/target.h"
 #include "stad/truth.h"
+#include "stad/tune.h"
 
 #endif

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT
+ * tune/tune_config.c - the customary config for stereo parameters, and the check of any config. */
+#include "stad/tune.h"
+
+#include <string.h>
+
+void stad_tune_config_stereo(stad_tune_config *c, int purpose)
+{
+    static const stad_tune_axis stereo[STAD_TUNE_DIMS] = {
+        {1, 4096, 1, STAD_TUNE_AREA, -1}, {2, 8192, 1, STAD_TUNE_AREA, -1}, {1, 11, 1, STAD_TUNE_ODD, -1},
+        {0, 40, 8, STAD_TUNE_LINEAR, -1}, {15, 127, 1, STAD_TUNE_LOG2, 1},  {1, 8, 1, STAD_TUNE_POWER, 1}};
+    memset(c, 0, sizeof *c);
+    c->method = STAD_TUNE_NCG;
+    c->free_mask = (1u << STAD_TUNE_DIMS) - 1;
+    c->ordered = 1;
+    c->budget = 100;
+    memcpy(c->axis, stereo, sizeof stereo);
+    (void)purpose;
+}
+
+static int axis_sound(const stad_tune_axis *a)
+{
+    if (a->scale > STAD_TUNE_POWER || a->lo > a->hi || a->unit < 1)
+        return 0;
+    return a->scale == STAD_TUNE_LINEAR || a->lo >= 1;
+}
+
+static int refuse(const char **culprit, const char *field)
+{
+    if (culprit)
+        *culprit = field;
+    return STAD_E_PARAM;
+}
+
+int stad_tune_config_check(const stad_tune_config *c, const char **culprit)
+{
+    static const char *const names[STAD_TUNE_DIMS] = {"p1",               "p2",             "block_size",
+                                                      "uniqueness_ratio", "pre_filter_cap", "disp12_max_diff"};
+    if (c->method > STAD_TUNE_HYBRID)
+        return refuse(culprit, "method");
+    if (c->budget < 1 || c->budget > STAD_TUNE_LOG)
+        return refuse(culprit, "budget");
+    if (c->ladder_count > STAD_TUNE_LADDER)
+        return refuse(culprit, "ladder_count");
+    if (c->free_mask >> STAD_TUNE_DIMS != 0)
+        return refuse(culprit, "free_mask");
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        if (!axis_sound(&c->axis[i]))
+            return refuse(culprit, names[i]);
+    }
+    return STAD_OK;
+}
