@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ * board/host/host.c - the board that is an ordinary process: the reference of every other, and user-mode emulation. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "../board.h"
+
+void board_print(const char *text)
+{
+    fputs(text, stdout);
+    fflush(stdout);
+}
+
+void board_exit(int code)
+{
+    exit(code);
+}
+
+size_t board_stack_used(void)
+{
+    return 0;
+}

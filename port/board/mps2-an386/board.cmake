@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: MIT
+set(BOARD_CORE "Cortex-M4F")
+set(BOARD_FAMILY cortex_m)
+set(BOARD_FLAGS -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16)
+set(BOARD_GCC arm-none-eabi)
+set(BOARD_CLANG_TARGET thumbv7em-none-eabihf)
+set(BOARD_ISA arm_dsp)
+set(BOARD_EMULATOR qemu-system-arm -M mps2-an386 -nographic -semihosting-config enable=on,target=native)
