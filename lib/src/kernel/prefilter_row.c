@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT
+ * pixels -> [PREFILTER] -> range -> cost
+ * kernel/prefilter_row.c - the clipped horizontal Sobel gradient and the intensity of one row. */
+#include "kernel/kernel.h"
+#include "base/arith.h"
+
+static void channel_planes(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t step,
+                           int32_t cap, uint8_t *gradient, uint8_t *intensity)
+{
+    const uint8_t border = (uint8_t)(cap & 0xFF);
+    gradient[0] = gradient[width - 1] = border;
+    intensity[0] = intensity[width - 1] = border; /* the intensity too: SPEC 2, a quirk that must be kept */
+    for (int32_t x = 1; x < width - 1; x++) {
+        const int32_t left = (x - 1) * step, right = (x + 1) * step;
+        const int32_t g = 2 * (row[right] - row[left]) + above[right] - above[left] + below[right] - below[left];
+        gradient[x] = (uint8_t)((clamp_i32(g, -cap, cap) + cap) & 0xFF); /* |g| <= 1020; cap > 127 wraps: SPEC 2 */
+        intensity[x] = row[x * step];
+    }
+}
+
+void stad_prefilter_row_c(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
+                          int32_t cap, uint8_t *planes)
+{
+    for (int32_t c = 0; c < channels; c++)
+        channel_planes(above + c, row + c, below + c, width, channels, cap, planes + (ptrdiff_t)c * width,
+                       planes + (ptrdiff_t)(channels + c) * width);
+}

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT
+ * match/frame.h - what a matcher holds (private), and the steps its modes put in order.
+ *
+ *     push -> pixel ring -> WINDOW (vertical sums, block costs) -> SWEEP (paths) -> ROW (winners, check) -> pull (median)
+ *
+ * Columns x are counted from the first one that can have a disparity; `first_column` turns them into image columns. */
+#ifndef STAD_FRAME_H
+#define STAD_FRAME_H
+
+#include "stad/match.h"
+#include "kernel/kernel.h"
+
+enum lane_kind { LANE_DOWN_RIGHT, LANE_VERTICAL, LANE_DOWN_LEFT }; /* from x - 1, x, x + 1 of the row before */
+
+/* Lanes of one pass through the frame, laid out for the geometry, shaped for the frame's parameters. */
+typedef struct lane_set {
+    uint8_t *memory;
+    int32_t count;
+    int32_t rows; /* taken since the last reset: fixes where each column's slot is */
+} lane_set;
+
+typedef struct stad_frame {
+    stad_geometry g;
+    stad_params p;
+    stad_match_counts counts;
+    const char *culprit;
+    uint32_t options;
+    int32_t running; /* a frame has been begun */
+
+    /* of the geometry */
+    int32_t narrow, cost_slots, ring, pixel_rows, segment_rows, segments;
+    size_t cell_bytes, lane_bytes, state_bytes, checkpoint_bytes;
+
+    /* parts of the workspace */
+    uint8_t *pixels, *features, *costs;
+    int16_t *sums, *total_row;
+    uint8_t *resume, *segment, *checkpoints;
+    int16_t *run_block, *run_total, *hs;
+    stad_lane across, resumed; /* the horizontal path, and its replay */
+    int16_t *raw[3], *votes[3], *vote_cost;
+    uint8_t *confidence[3];
+    stad_best *best;
+
+    /* of the frame's parameters */
+    int32_t safe, wide; /* C cannot saturate; pixel costs need 16 bits */
+    int32_t first_column, columns, radius, stride;
+    lane_set down, up;
+
+    /* where the frame stands: rows pushed, oldest row still needed, rows made (raw) and pulled */
+    int32_t pushed, oldest, made, pulled;
+    int32_t window_row, window_top;  /* row the window is centred on (-1: none), first row of its image */
+    int32_t ring_first, ring_count;  /* rows of costs in the ring */
+    int32_t down_row, loaded;        /* HH, HH4: next row of the first pass; segment in memory (-1: none) */
+} stad_frame;
+
+static inline stad_frame *frame_of(stad_match *m)
+{
+    return (stad_frame *)(void *)m->opaque;
+}
+
+static inline int16_t none_q4(const stad_frame *f)
+{
+    return (int16_t)((f->p.min_disparity - 1) * 16);
+}
+
+/* Rows [0, y] are in, or all there are. */
+static inline int frame_has_row(const stad_frame *f, int32_t y)
+{
+    return f->pushed > y || f->pushed == f->g.height;
+}
+
+/* -- plan.c: binds the parts of the workspace --------------------------------------------------------------------------- */
+void plan_bind(stad_frame *f, void *work);
+
+/* -- window.c: from pixel rows to block costs ---------------------------------------------------------------------------- */
+void window_start(stad_frame *f, int32_t y, int32_t top); /* at row y of an image that begins at row top */
+void window_resume(stad_frame *f, int32_t y);             /* f->sums already hold row y's saturating block costs */
+void window_go(stad_frame *f, int32_t y);                 /* to row y by the cheapest exact way */
+const int16_t *window_block(stad_frame *f, int32_t x, int32_t count); /* C of a run of columns */
+
+/* -- lanes.c: path state ------------------------------------------------------------------------------------------------- */
+void lanes_shape(stad_frame *f);
+void lanes_reset(const stad_frame *f, lane_set *set); /* all paths restart; the fences are drawn */
+int32_t lanes_at(const stad_frame *f, const lane_set *set, stad_lane *lanes);    /* as set->rows places them; count */
+int32_t lanes_enter(const stad_frame *f, const lane_set *set, stad_lane *lanes); /* the same, at the start of a row */
+int32_t lanes_enter_u8(const stad_frame *f, const lane_set *set, stad_lane_u8 *lanes);
+void lane_restart(const stad_frame *f, stad_lane *across);
+
+/* -- sweep.c: the orders in which paths are summed ------------------------------------------------------------------------ */
+/* One pass over a row's columns. total: S of the row, or NULL; block_row: C of the row, or NULL to take the window's. */
+typedef struct row_sweep {
+    lane_set *set;            /* vertical and diagonal lanes, or NULL */
+    const int16_t *block_row; /* whole row of block costs, or NULL */
+    int16_t *total;           /* whole row, or NULL */
+    int across, across_last;  /* the horizontal path too; after the others */
+    int fresh;                /* total is written, not added to */
+} row_sweep;
+void sweep_forward(stad_frame *f, const row_sweep *s);
+void sweep_streamed(stad_frame *f);                       /* SGBM, 3WAY: forward, back, winners */
+void sweep_back(stad_frame *f, const row_sweep *s);       /* right to left, winners on the way */
+
+/* -- row.c: winners of a row ---------------------------------------------------------------------------------------------- */
+void row_open(stad_frame *f);
+void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count); /* runs from right to left */
+void row_close(stad_frame *f);
+
+/* -- mode_*.c: each makes the next raw row, or answers STAD_AGAIN --------------------------------------------------------- */
+int mode_sgbm_step(stad_frame *f);
+int mode_3way_step(stad_frame *f);
+int mode_hh_step(stad_frame *f);
+int mode_hh4_step(stad_frame *f);
+void mode_two_pass_feed(stad_frame *f); /* HH, HH4: the first pass, as rows come in */
+
+#endif

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT
+ * sweep -> [ROW] -> median
+ * match/row.c - one raw row: opened, filled run by run from right to left, checked, closed. */
+#include <string.h>
+
+#include "match/frame.h"
+#include "base/arith.h"
+
+static void fill_i16(int16_t *to, int32_t n, int16_t value)
+{
+    for (int32_t i = 0; i < n; i++)
+        to[i] = value;
+}
+
+void row_open(stad_frame *f)
+{
+    const int32_t slot = f->made % 3, width = f->g.width;
+    fill_i16(f->raw[slot], width, none_q4(f));
+    fill_i16(f->votes[slot], width, none_q4(f)); /* in units of whole disparities, as SPEC 8 has it */
+    fill_i16(f->vote_cost, width, STAD_COST_MAX);
+    memset(f->confidence[slot], 0, (size_t)width);
+}
+
+void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
+{
+    const int32_t slot = f->made % 3, three_way = f->g.mode == STAD_MODE_3WAY;
+    if (three_way)
+        stad_best_row_3way(total, count, f->p.num_disparities, f->best);
+    else
+        stad_best_row(total, count, f->p.num_disparities, f->best);
+    stad_select_job job = {total, f->best, f->first_column + x, count, f->g.width, f->p.min_disparity,
+                           f->p.num_disparities, f->p.uniqueness_ratio, three_way, f->raw[slot], f->votes[slot],
+                           f->vote_cost, NULL, 0, 0};
+    if (f->options & STAD_MATCH_CONFIDENCE)
+        job.confidence = f->confidence[slot];
+    stad_select_row(&job);
+    f->counts.firm += job.firm;
+    f->counts.rejected_uniqueness += job.rejected;
+}
+
+/* Votes become disparities of the right view. */
+static void finish_right(const stad_frame *f, int16_t *votes)
+{
+    for (int32_t x = 0; x < f->g.width; x++)
+        votes[x] = f->vote_cost[x] == STAD_COST_MAX ? none_q4(f) : (int16_t)(votes[x] * 16); /* |d| <= 2047 */
+}
+
+void row_close(stad_frame *f)
+{
+    const int32_t slot = f->made % 3, end = f->first_column + f->columns;
+    const stad_check_job job = {f->raw[slot], f->votes[slot], f->first_column, end, f->g.width,
+                                f->p.min_disparity, f->p.disp12_max_diff};
+    f->counts.rejected_check += stad_check_row(&job);
+    for (int32_t x = f->first_column; x < end; x++) {
+        const int valid = f->raw[slot][x] != none_q4(f);
+        f->counts.valid += valid;
+        if (!valid)
+            f->confidence[slot][x] = 0;
+    }
+    f->counts.considered += f->columns;
+    finish_right(f, f->votes[slot]);
+    f->made++;
+}
