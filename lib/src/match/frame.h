@@ -16,6 +16,7 @@ enum lane_kind { LANE_DOWN_RIGHT, LANE_VERTICAL, LANE_DOWN_LEFT }; /* from x - 1
 typedef struct lane_set {
     uint8_t *memory;
     int32_t count;
+    int32_t mirrored; /* a pass from the bottom right: its lanes are summed in the opposite order (SPEC 6) */
     int32_t rows; /* taken since the last reset: fixes where each column's slot is */
 } lane_set;
 

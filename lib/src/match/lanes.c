@@ -19,11 +19,15 @@ void lanes_shape(stad_frame *f)
     const int32_t lanes = (int32_t)STAD_LANES_DOWN(f->g.mode);
     f->stride = f->p.num_disparities + (int32_t)STAD_LANE_PAD(f->g.memory);
     f->down.count = f->up.count = lanes;
+    f->down.mirrored = 0;
+    f->up.mirrored = 1;
 }
 
 static enum lane_kind kind_of(const lane_set *set, int32_t i)
 {
-    return set->count == 1 ? LANE_VERTICAL : (enum lane_kind)i;
+    if (set->count == 1)
+        return LANE_VERTICAL;
+    return (enum lane_kind)(set->mirrored ? LANE_DOWN_LEFT - i : LANE_DOWN_RIGHT + i);
 }
 
 static int32_t first_slot(const stad_frame *f, const lane_set *set, int32_t i)
