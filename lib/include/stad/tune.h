@@ -96,6 +96,7 @@ typedef struct stad_tune {
     int16_t count;      /* entries of the log */
     int16_t best;       /* the best of them, -1 before the first */
     int16_t cursor;     /* where the log is expected to answer next */
+    int16_t lead;       /* the best entry that the current rerun has met */
     int16_t phase;      /* 0 not initialised, 1 asking, 2 finished */
     stad_tune_counts counts;
     stad_point point[STAD_TUNE_LOG];

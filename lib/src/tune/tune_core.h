@@ -11,6 +11,7 @@
 #include "stad/tune.h"
 
 #define TUNE_ONE 65536 /* one step of a continuous variable, Q16 */
+#define TUNE_INFINITY INT32_MAX
 
 /* Variables: continuous axes in steps, Q16; discrete axes hold their integer. */
 typedef struct tune_vars {
@@ -27,9 +28,6 @@ void stad_tune_core_rewind(stad_tune *t);
 
 /* The cost of x. 1: *cost is set; 0: not known, the method must return at once. */
 int stad_tune_look(stad_tune *t, const stad_point *x, int32_t *cost);
-
-/* The same for variables. */
-int stad_tune_look_vars(stad_tune *t, const tune_vars *v, int32_t *cost);
 
 int stad_tune_is_free(const stad_tune_config *c, int i);
 int stad_tune_is_continuous(const stad_tune_config *c, int i);

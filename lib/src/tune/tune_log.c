@@ -15,6 +15,7 @@ int stad_tune_core_init(stad_tune *t, const stad_tune_config *c, const stad_poin
 {
     memset(t, 0, sizeof *t); /* padding too: equal states are equal bytes */
     t->best = -1;
+    t->lead = -1;
     t->phase = PHASE_FINISHED;
     if (stad_tune_config_check(c, NULL) != STAD_OK || c->method != method)
         return STAD_E_PARAM;
@@ -55,6 +56,7 @@ void stad_tune_core_rewind(stad_tune *t)
 {
     t->phase = PHASE_FINISHED;
     t->cursor = 0;
+    t->lead = -1;
     t->counts.calls = 0;
     t->counts.iterations = 0;
 }
@@ -79,6 +81,8 @@ int stad_tune_look(stad_tune *t, const stad_point *x, int32_t *cost)
     if (i >= 0) {
         t->counts.calls++;
         t->cursor = (int16_t)(i == t->cursor ? i + 1 : t->cursor);
+        if (t->lead < 0 || t->cost[i] < t->cost[t->lead])
+            t->lead = (int16_t)i;
         *cost = t->cost[i];
         return 1;
     }
@@ -88,13 +92,6 @@ int stad_tune_look(stad_tune *t, const stad_point *x, int32_t *cost)
         t->phase = PHASE_ASKING;
     }
     return 0;
-}
-
-int stad_tune_look_vars(stad_tune *t, const tune_vars *v, int32_t *cost)
-{
-    stad_point x;
-    stad_tune_to_point(t, v, &x);
-    return stad_tune_look(t, &x, cost);
 }
 
 int stad_tune_best(const stad_tune *t, stad_point *x, int32_t *cost_q20)

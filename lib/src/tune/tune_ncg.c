@@ -1,67 +1,168 @@
 /* SPDX-License-Identifier: MIT
- * tune/tune_ncg.c - the swept lattice search (first form: coordinate sweeps and polls). */
-#include "tune/tune_core.h"
+ * tell -> [NCG] -> ask         tune/tune_ncg.c - the swept lattice conjugate gradient.
+ *
+ * From the best of the start and its ladder: sweep the axes, each giving slope and curvature and moving at once; take one
+ * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
+ * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best of another block. */
+#include "tune/tune_walk.h"
 
-typedef struct walk {
-    tune_vars at;
-    int32_t cost;
-} walk;
+#include <stddef.h>
 
-/* Tries a point; moves there when it is better. 0: not known yet. */
-static int attempt(stad_tune *t, walk *w, const tune_vars *v, int *moved)
+#define REACH_FIRST (3 * TUNE_ONE / 4)
+#define REACH_AGAIN (TUNE_ONE / 2)
+#define REACH_LEAST (TUNE_ONE / 8)
+#define ITERATIONS  30
+
+#ifndef TUNE_POLLS /* 0: leave the discrete axes alone (a switch for the ablation) */
+#define TUNE_POLLS 1
+#endif
+
+/* The axes in the order that lets a matcher keep most of its work between probes. */
+static const uint8_t sweep_order[STAD_TUNE_DIMS] = {STAD_TUNE_PRE_FILTER_CAP,     STAD_TUNE_P1,
+                                                    STAD_TUNE_P2,                 STAD_TUNE_UNIQUENESS_RATIO,
+                                                    STAD_TUNE_BLOCK_SIZE,         STAD_TUNE_DISP12_MAX_DIFF};
+
+static int sweep_all(stad_tune *t, tune_walk *w)
 {
-    stad_point x;
-    int32_t cost;
-    stad_tune_to_point(t, v, &x);
-    if (!stad_tune_look(t, &x, &cost))
-        return 0;
-    *moved = cost < w->cost;
-    if (*moved) {
-        stad_tune_to_vars(&t->config, &x, &w->at);
-        w->cost = cost;
+    for (int k = 0; k < STAD_TUNE_DIMS; k++) {
+        const int i = sweep_order[k];
+        if (!stad_tune_is_free(&t->config, i) || !stad_tune_is_continuous(&t->config, i))
+            continue;
+        if (!stad_tune_sweep_axis(t, w, i))
+            return 0;
     }
     return 1;
 }
 
-static int sweep(stad_tune *t, walk *w, int32_t step, int *gained)
+/* Polls every discrete axis of the given scale. */
+static int poll_all(stad_tune *t, tune_walk *w, int scale, int *moved)
+{
+    *moved = 0;
+    for (int i = 0; TUNE_POLLS && i < STAD_TUNE_DIMS; i++) {
+        int m;
+        if (!stad_tune_is_free(&t->config, i) || t->config.axis[i].scale != scale)
+            continue;
+        if (!stad_tune_poll(t, w, i, &m))
+            return 0;
+        *moved |= m;
+    }
+    return 1;
+}
+
+/* After the block has moved the smoothness terms bend anew. */
+static void forget_curve(const stad_tune *t, tune_walk *w)
 {
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        if (!stad_tune_is_free(&t->config, i))
-            continue;
-        for (int k = 0; k < 2; k++) {
-            const int side = k == 0 ? t->config.axis[i].side : -t->config.axis[i].side;
-            tune_vars v = w->at;
-            int moved = 0;
-            if (stad_tune_is_continuous(&t->config, i))
-                v.v[i] += side * step;
-            else if (t->config.axis[i].scale == STAD_TUNE_ODD)
-                v.v[i] += 2 * side;
-            else
-                v.v[i] = side > 0 ? v.v[i] * 2 : v.v[i] / 2;
-            if (!attempt(t, w, &v, &moved))
-                return 0;
-            *gained |= moved;
-            if (moved)
-                break;
-        }
+        if (t->config.axis[i].scale == STAD_TUNE_AREA)
+            w->curve[i] = 0;
     }
-    t->counts.iterations++;
+    w->has_old = 0;
+}
+
+static int32_t longest_step(const tune_walk *w)
+{
+    int32_t longest = 0;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        longest = w->step[i] > longest ? w->step[i] : longest;
+    return longest;
+}
+
+static void set_steps(tune_walk *w, int32_t reach)
+{
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        w->step[i] = reach;
+}
+
+/* From x until nothing is gained at the least step. 0: a cost is wanted. */
+static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reach)
+{
+    tune_walk w;
+    int32_t polled_at = -1;
+    int moved;
+    stad_tune_walk_from(t, &w, x, cost, reach);
+    for (int k = 1; k <= ITERATIONS; k++) {
+        const int32_t before = w.cost;
+        t->counts.iterations++;
+        if (polled_at >= 0 && w.cost < polled_at - polled_at / 33) {
+            if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
+                return 0;
+            if (moved)
+                forget_curve(t, &w);
+            polled_at = w.cost;
+        }
+        if (polled_at < 0)
+            polled_at = w.cost;
+        if (2 * longest_step(&w) <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
+            return 0;
+        if (!sweep_all(t, &w) || !stad_tune_joint_step(t, &w))
+            return 0;
+        if ((int64_t)before - w.cost < before / 250) {
+            if (longest_step(&w) <= REACH_LEAST) {
+                if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
+                    return 0;
+                if (!moved)
+                    return 1;
+                forget_curve(t, &w);
+                set_steps(&w, REACH_AGAIN);
+                polled_at = w.cost;
+                continue;
+            }
+            set_steps(&w, longest_step(&w) / 2 > REACH_LEAST ? longest_step(&w) / 2 : REACH_LEAST);
+            w.has_old = 0;
+        }
+        if (k % 4 == 0)
+            w.has_old = 0;
+    }
     return 1;
+}
+
+/* Scores the start and its ladder. *other: the best with a block unlike the best one's, -1 if there is none. */
+static int score_ladder(stad_tune *t)
+{
+    int32_t cost;
+    if (!stad_tune_look(t, &t->start, &cost))
+        return 0;
+    for (int i = 0; i < t->config.ladder_count; i++) {
+        stad_point x;
+        tune_vars v;
+        stad_tune_to_vars(&t->config, &t->config.ladder[i], &v);
+        stad_tune_to_point(t, &v, &x);
+        if (!stad_tune_look(t, &x, &cost))
+            return 0;
+    }
+    return 1;
+}
+
+/* The best of the first n log entries whose block is not `block`, or -1. */
+static int best_other(const stad_tune *t, int n, int block)
+{
+    int best = -1;
+    for (int i = 0; i < n; i++) {
+        if (t->point[i].v[STAD_TUNE_BLOCK_SIZE] != block && (best < 0 || t->cost[i] < t->cost[best]))
+            best = i;
+    }
+    return best;
+}
+
+static int descend_from(stad_tune *t, int entry, int32_t reach)
+{
+    const stad_point x = t->point[entry];
+    return descend(t, &x, t->cost[entry], reach);
 }
 
 static void run(stad_tune *t)
 {
-    walk w;
-    stad_tune_to_vars(&t->config, &t->start, &w.at);
-    if (!stad_tune_look(t, &t->start, &w.cost))
+    if (!score_ladder(t))
         return;
-    for (int32_t step = TUNE_ONE; step >= TUNE_ONE / 8;) {
-        int gained = 0;
-        if (!sweep(t, &w, step, &gained))
-            return;
-        if (!gained)
-            step /= 2;
-    }
+    const int rungs = t->cursor; /* distinct ladder points */
+    if (!descend_from(t, t->lead, REACH_FIRST) || t->config.patience)
+        return;
+    if (!descend_from(t, t->lead, REACH_AGAIN))
+        return;
+    const int other = best_other(t, rungs, t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE]);
+    if (other >= 0 && !descend_from(t, other, REACH_FIRST))
+        return;
+    descend_from(t, t->lead, REACH_AGAIN);
 }
 
 int stad_tune_ncg_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)

@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT
+ * slopes -> [STEP] -> points         tune/tune_step.c - a joint step along the scaled conjugate direction (PR+).
+ *
+ * Scaling by the curvature that the probes gave is what makes the step good; beta adds little (docs/TUNING.md). */
+#include "tune/tune_walk.h"
+
+#include <string.h>
+
+#define BETA_ONE  4096 /* Q12 */
+#define MAX_MOVE  (3 * TUNE_ONE)
+#define MAX_TRIES 3
+
+#ifndef TUNE_BETA /* 0: leave conjugacy out, 1: PR+ (a switch for the ablation) */
+#define TUNE_BETA 1
+#endif
+#ifndef TUNE_SCALING /* 0: leave the curvature out (a switch for the ablation) */
+#define TUNE_SCALING 1
+#endif
+
+typedef struct direction {
+    int32_t move[STAD_TUNE_DIMS];  /* steps, Q16 */
+    int32_t scale[STAD_TUNE_DIMS]; /* diagonal of the preconditioner: cost per step squared, Q20, >= 1 */
+} direction;
+
+static int32_t magnitude(int32_t v)
+{
+    return v < 0 ? -v : v;
+}
+
+static int in_step(const stad_tune *t, int i)
+{
+    return stad_tune_is_free(&t->config, i) && stad_tune_is_continuous(&t->config, i);
+}
+
+/* The curvature, at least what would send the point two probing distances away, and never next to nothing. */
+static int32_t scale_of(const tune_walk *w, int i)
+{
+    int64_t scale = TUNE_SCALING ? w->curve[i] : 0;
+    const int64_t held = (int64_t)magnitude(w->slope[i]) * 65536 / (2 * (int64_t)w->step[i]);
+    const int64_t least = w->cost / 1000;
+    scale = scale > held ? scale : held;
+    scale = scale > least ? scale : least;
+    scale = scale > 104 ? scale : 104; /* 1e-4 in Q20 */
+    return scale < INT32_MAX ? (int32_t)scale : INT32_MAX;
+}
+
+/* PR+: z . (g - g') / (g' . z'), held to 0..2, Q12. Each |z| <= 2^18 and |g| <= 2^24, so sums stay below 2^46. */
+static int64_t beta_q12(const stad_tune *t, const tune_walk *w, const direction *d)
+{
+    int64_t above = 0, below = 0;
+    if (!w->has_old || !TUNE_BETA)
+        return 0;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        if (!in_step(t, i))
+            continue;
+        above += -(int64_t)d->move[i] * ((int64_t)w->slope[i] - w->old_slope[i]);
+        below += (int64_t)w->old_slope[i] * stad_tune_div_q16(w->old_slope[i], w->old_scale[i]);
+    }
+    if (below <= 0 || above <= 0)
+        return 0;
+    const int64_t beta = above * BETA_ONE / below;
+    return beta < 2 * BETA_ONE ? beta : 2 * BETA_ONE;
+}
+
+static int64_t along(const stad_tune *t, const tune_walk *w, const int32_t *move)
+{
+    int64_t sum = 0;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        sum += in_step(t, i) ? (int64_t)move[i] * w->slope[i] : 0;
+    return sum;
+}
+
+/* Shortens the direction so that no coordinate moves more than `most`. Returns the longest move. */
+static int32_t hold(const stad_tune *t, int32_t *move, int64_t most)
+{
+    int32_t longest = 0;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        if (in_step(t, i) && magnitude(move[i]) > longest)
+            longest = magnitude(move[i]);
+    }
+    if (longest <= most)
+        return longest;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        move[i] = (int32_t)(move[i] * most / longest);
+    return (int32_t)most;
+}
+
+static void choose_direction(const stad_tune *t, const tune_walk *w, direction *d)
+{
+    memset(d, 0, sizeof *d);
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        d->scale[i] = scale_of(w, i);
+        if (in_step(t, i))
+            d->move[i] = -stad_tune_div_q16(w->slope[i], d->scale[i]);
+    }
+    const int64_t beta = beta_q12(t, w, d);
+    if (beta == 0)
+        return;
+    int32_t steepest[STAD_TUNE_DIMS];
+    memcpy(steepest, d->move, sizeof steepest);
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        d->move[i] += (int32_t)(beta * w->old_move[i] / BETA_ONE);
+    if (along(t, w, d->move) >= 0)
+        memcpy(d->move, steepest, sizeof steepest);
+}
+
+typedef struct trial {
+    stad_point x;
+    int32_t cost;
+    int64_t fall; /* slope . way really taken: what the gradient promises, Q36 */
+} trial;
+
+static int try_step(stad_tune *t, const tune_walk *w, const direction *d, int32_t a_q12, trial *out)
+{
+    tune_vars v = w->at;
+    int32_t way[STAD_TUNE_DIMS];
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        v.v[i] += (int32_t)((int64_t)d->move[i] * a_q12 / BETA_ONE);
+    stad_tune_to_point(t, &v, &out->x);
+    stad_tune_to_vars(&t->config, &out->x, &v);
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        way[i] = v.v[i] - w->at.v[i];
+    out->fall = along(t, w, way);
+    return stad_tune_same(&out->x, &w->x) ? (out->cost = w->cost, 1) : stad_tune_look(t, &out->x, &out->cost);
+}
+
+/* The floor of the parabola through f with the promised slope and the trial's cost, Q12. */
+static int32_t next_length(const tune_walk *w, const trial *r, int32_t a_q12, int success)
+{
+    const int64_t fall = r->fall / 65536; /* Q20 */
+    const int64_t bend = stad_tune_rise(w->cost, r->cost) - fall;
+    if (bend <= 0)
+        return success ? 2 * a_q12 : a_q12 / 2;
+    const int64_t a = -fall * a_q12 / (2 * bend);
+    return a < 0 ? 0 : a > 4 * (int64_t)a_q12 ? 4 * a_q12 : (int32_t)a;
+}
+
+/* At most MAX_TRIES points along the direction: expand while it pays, shrink until it does. */
+static int line_search(stad_tune *t, tune_walk *w, const direction *d, int32_t longest)
+{
+    trial best = {w->x, w->cost, 0};
+    int32_t a = BETA_ONE;
+    for (int k = 1; k <= MAX_TRIES; k++) {
+        trial r;
+        if (!try_step(t, w, d, a, &r))
+            return 0;
+        const int64_t wanted = r.fall / 65536 / 10;
+        const int success = r.cost < w->cost && stad_tune_rise(w->cost, r.cost) <= wanted;
+        int32_t next = next_length(w, &r, a, success);
+        const int leads = r.cost < best.cost;
+        if (leads)
+            best = r;
+        if (success) {
+            next = next < 5 * a / 2 ? next : 5 * a / 2;
+            if (5 * next <= 7 * a || !leads)
+                break;
+        } else {
+            if (best.cost < w->cost)
+                break;
+            next = next < a / 5 ? a / 5 : next > 3 * a / 5 ? 3 * a / 5 : next;
+            if ((int64_t)longest * next / BETA_ONE < TUNE_ONE / 16)
+                break;
+        }
+        a = next;
+    }
+    if (best.cost < w->cost)
+        stad_tune_walk_move(t, w, &best.x, best.cost);
+    return 1;
+}
+
+int stad_tune_joint_step(stad_tune *t, tune_walk *w)
+{
+    direction d;
+    choose_direction(t, w, &d);
+    const int32_t longest = hold(t, d.move, MAX_MOVE);
+    if (longest >= TUNE_ONE / 16 && !line_search(t, w, &d, longest))
+        return 0;
+    memcpy(w->old_slope, w->slope, sizeof w->old_slope);
+    memcpy(w->old_scale, d.scale, sizeof w->old_scale);
+    memcpy(w->old_move, d.move, sizeof w->old_move);
+    w->has_old = 1;
+    return 1;
+}
