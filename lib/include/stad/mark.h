@@ -69,6 +69,10 @@ void stad_mark_config_default(stad_mark_config *c);
      STAD_MARK_PAD(2u * ((size_t)(width) + 8u)) + STAD_MARK_PAD(12u * ((size_t)(width) + (size_t)(height))) + 160u)
 size_t stad_mark_bytes(int32_t width, int32_t height);
 
+/* A cell of the mark as printed: 1 white, 0 black. `row`, `column`: 0 .. 7 from the top left of the black square; the cells
+ * round it (-1 and 8) are the white surround. For those who draw marks. */
+int stad_mark_cell(int id, int row, int column);
+
 /* Finds the marks of an image, top to bottom by the last row they touch, and writes at most `max` of them to `out`. Returns
  * how many were written (0 is no error; with `max` reached the rest is not looked for).
  *

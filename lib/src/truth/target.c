@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT
+ * [truth/target.c] -> truth, renderer, sheet - the calibration targets as tables.
+ *
+ * Heights and steepness follow what tuning needs at the distance where the marks are 24 to 48 px a side: a step of several
+ * pixels of disparity (plate), a steep slope along the rows (wedge), two opposite slopes (tent), narrow bars. The sheet fits
+ * the printable part of A4 and Letter, lying. */
+#include "stad/target.h"
+
+#include <stddef.h>
+
+static const stad_target_tag relief_tags[] = {{0, 6, 6}, {1, 202, 6}, {2, 202, 130}, {3, 6, 130}};
+
+static const char *const relief_parts[] = {"plate", "wedge", "tent", "bar-8", "bar-10", "bar-12"};
+
+static const stad_target_facet relief_facets[] = {
+    {0, {74, 122, 122, 74}, {16, 16, 64, 64}, {48, 48, 48, 48}},       /* plate */
+    {1, {136, 180, 180, 136}, {16, 16, 64, 64}, {0, 52, 52, 0}},       /* wedge: rises to the right */
+    {2, {72, 98, 98, 72}, {104, 104, 164, 164}, {0, 28, 28, 0}},       /* tent: left slope */
+    {2, {98, 124, 124, 98}, {104, 104, 164, 164}, {28, 0, 0, 28}},     /* tent: right slope */
+    {3, {136, 144, 144, 136}, {104, 104, 168, 168}, {20, 20, 20, 20}}, /* bars, upright */
+    {4, {153, 163, 163, 153}, {104, 104, 168, 168}, {20, 20, 20, 20}},
+    {5, {172, 184, 184, 172}, {104, 104, 168, 168}, {20, 20, 20, 20}},
+};
+
+static const stad_target relief = {
+    "relief", 256, 184, 48, 4, 6, 7, relief_tags, relief_parts, relief_facets,
+};
+
+static const stad_target_tag card_tags[] = {{4, 6, 12}, {5, 66, 12}};
+
+static const stad_target card = {"card", 120, 72, 48, 2, 0, 0, card_tags, NULL, NULL};
+
+const stad_target *stad_target_relief(void)
+{
+    return &relief;
+}
+
+const stad_target *stad_target_card(void)
+{
+    return &card;
+}

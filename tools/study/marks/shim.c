@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: MIT
+ * tools/study/marks/shim.c - the library, the renderer and libapriltag behind plain calls, for figures.py.
+ *
+ * Built by figures.py into a shared library; libapriltag is a part of this study only. */
+#include "scene/target_scene.h"
+
+#include <apriltag/apriltag.h>
+#include <apriltag/tag36h11.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+static uint8_t work[STAD_MARK_BYTES(2048, 2048)] STAD_ALIGNED;
+static apriltag_detector_t *detector;
+
+static void reference_open(void)
+{
+    if (detector)
+        return;
+    detector = apriltag_detector_create();
+    apriltag_detector_add_family_bits(detector, tag36h11_create(), 2);
+    detector->nthreads = 1;
+    detector->quad_decimate = 1;
+}
+
+/* Marks as rows of id, hamming, then x, y of four corners in px from the centre of the first pixel. */
+int study_find(const uint8_t *pix, int width, int height, double *rows, int max)
+{
+    stad_mark marks[64];
+    const stad_image image = stad_image_packed(pix, width, height, 1);
+    const int count = stad_mark_find(&image, NULL, marks, max < 64 ? max : 64, work, sizeof work);
+    for (int i = 0; i < count; i++) {
+        rows[i * 10] = marks[i].id;
+        rows[i * 10 + 1] = marks[i].hamming;
+        for (int k = 0; k < 4; k++) {
+            rows[i * 10 + 2 + 2 * k] = marks[i].corner[k].x_q8 / 256.0;
+            rows[i * 10 + 3 + 2 * k] = marks[i].corner[k].y_q8 / 256.0;
+        }
+    }
+    return count;
+}
+
+/* The same from libapriltag (no decimation, one thread), identities 0..31 only. Its corners run bottom left, bottom right, top
+ * right, top left, and its pixels have their centres at one half. */
+int study_find_reference(const uint8_t *pix, int width, int height, double *rows, int max)
+{
+    reference_open();
+    image_u8_t image = {width, height, width, (uint8_t *)(uintptr_t)pix};
+    zarray_t *found = apriltag_detector_detect(detector, &image);
+    int count = 0;
+    for (int i = 0; i < zarray_size(found) && count < max; i++) {
+        apriltag_detection_t *d;
+        zarray_get(found, i, &d);
+        if (d->id >= STAD_MARK_IDS)
+            continue;
+        rows[count * 10] = d->id;
+        rows[count * 10 + 1] = d->hamming;
+        for (int k = 0; k < 4; k++) {
+            rows[count * 10 + 2 + 2 * k] = d->p[3 - k][0] - 0.5;
+            rows[count * 10 + 3 + 2 * k] = d->p[3 - k][1] - 0.5;
+        }
+        count++;
+    }
+    apriltag_detections_destroy(found);
+    return count;
+}
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Processor time a frame of both detectors over the same frames in the same loop, turn by turn. */
+void study_time(const uint8_t *frames, int count, int width, int height, int rounds, double *ours, double *reference)
+{
+    double rows[64 * 10];
+    *ours = *reference = 0;
+    for (int n = -1; n < rounds; n++)
+        for (int i = 0; i < count; i++) {
+            const uint8_t *frame = frames + (size_t)i * (size_t)(width * height);
+            const double t0 = seconds();
+            study_find(frame, width, height, rows, 64);
+            const double t1 = seconds();
+            study_find_reference(frame, width, height, rows, 64);
+            const double t2 = seconds();
+            if (n < 0)
+                continue; /* warm up */
+            *ours += (t1 - t0) / (count * rounds);
+            *reference += (t2 - t1) / (count * rounds);
+        }
+}
+
+static stad_target_tag board_tags[4];
+
+/* A flat board of four marks of 48 mm in the corners of 256 x 184 mm, or the relief. */
+static const stad_target *target_of(int relief)
+{
+    static stad_target board;
+    if (relief)
+        return stad_target_relief();
+    board = *stad_target_relief();
+    memcpy(board_tags, board.tags, sizeof board_tags);
+    board.tags = board_tags;
+    board.facet_count = board.part_count = 0;
+    return &board;
+}
+
+typedef struct study_scene {
+    int32_t width, height, relief, room, seed, supersample;
+    double f, baseline, psf, dy, roll, scale, x, y, z, pitch, yaw, turn;
+} study_scene;
+
+static void open_scene(const study_scene *s, target_camera *c, target_scene *scene)
+{
+    target_camera_default(c, s->width, s->height);
+    c->f = s->f;
+    c->baseline = s->baseline;
+    c->psf = s->psf;
+    c->supersample = s->supersample;
+    c->drift_dy = s->dy;
+    c->drift_roll = s->roll;
+    c->drift_scale = s->scale;
+    const target_pose pose = {{s->x, s->y, s->z}, s->pitch, s->yaw, s->turn};
+    target_scene_clear(scene);
+    if (s->relief >= 0)
+        target_scene_add(scene, target_of(s->relief), &pose);
+    if (s->room > 0)
+        target_scene_add_room(scene, c, s->z * 1.4, s->z * 4, s->room, (unsigned)s->seed);
+}
+
+/* Both views as floats, truth of the left one, and the true corners: 4 marks x 4 corners x (x left, y left, x right, y right),
+ * the right ones drifted. behind: left and right image behind, or NULL. */
+void study_render(const study_scene *s, const float *behind, float *left, float *right, float *disparity, uint8_t *label,
+                  uint8_t *which, float *coverage, double *corners)
+{
+    static target_scene scene;
+    target_camera c;
+    open_scene(s, &c, &scene);
+    const int pixels = s->width * s->height;
+    target_render(&scene, &c, 0, behind, left, coverage);
+    target_render(&scene, &c, 1, behind ? behind + pixels : NULL, right, coverage ? coverage + pixels : NULL);
+    target_truth(&scene, &c, disparity, label, which);
+    if (s->relief < 0)
+        return;
+    const stad_target *target = target_of(s->relief);
+    const target_pose pose = {{s->x, s->y, s->z}, s->pitch, s->yaw, s->turn};
+    for (int i = 0; i < 16; i++) {
+        const stad_target_tag *tag = &target->tags[i / 4];
+        const int k = i % 4;
+        const target_vector p = target_point(target, &pose, tag->x_mm + (k == 1 || k == 2 ? target->tag_mm : 0),
+                                             tag->y_mm + (k >= 2 ? target->tag_mm : 0), 0);
+        corners[i * 4] = c.cx + c.f * p.x / p.z;
+        corners[i * 4 + 1] = c.cy + c.f * p.y / p.z;
+        corners[i * 4 + 2] = c.cx + c.f * (p.x - c.baseline) / p.z;
+        corners[i * 4 + 3] = corners[i * 4 + 1];
+        target_drift(&c, &corners[i * 4 + 2], &corners[i * 4 + 3]);
+    }
+}
+
+void study_degrade(float *left, float *right, int width, int height, int kind, int seed)
+{
+    target_random r;
+    target_random_seed(&r, (uint64_t)seed);
+    target_degrade(left, right, width, height, kind, &r);
+}
+
+/* Exposes, adds noise, quantises. */
+void study_expose(float *grey, int count, double black, double white, double noise, int seed, uint8_t *pix)
+{
+    target_random r;
+    target_random_seed(&r, (uint64_t)seed);
+    target_expose(grey, count, black, white);
+    target_add_noise(grey, count, noise, &r);
+    target_quantise(grey, count, pix);
+}
