@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT
+ * common/colour.h - disparity and error as colours to look at. */
+#ifndef TOOL_COLOUR_H
+#define TOOL_COLOUR_H
+
+#include <stdint.h>
+
+#include "disparity_file.h"
+#include "picture.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* v in 0..1 to R, G, B: lightness grows steadily from dark (far) to bright (near), the hue turns once on the way, so it
+ * reads in grey too. Green's cubehelix (Bull. Astr. Soc. India 39, 289, 2011). */
+void colour_of(double v, uint8_t rgb[3]);
+
+/* The map over min_disparity .. min_disparity + num_disparities; pixels without a disparity are black. */
+int colour_disparity(picture *p, const disparity *d, int num_disparities, tool_fail *f);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

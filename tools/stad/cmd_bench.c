@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT
+ * stad/cmd_bench.c - stad bench: time per pixel and disparity, on a scene of its own. */
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "../common/engine.h"
+#include "../scene/scene_draw.h"
+#include "match_options.h"
+#include "tool.h"
+
+static const char help[] =
+    "usage: stad bench [options]\n\n"
+    "Time to match a frame, and per pixel and disparity: CPU time of one thread, median over the frames.\n"
+    "Without --mode all four are timed.\n\n"
+    "  --width W, --height H        (640, 480)\n"
+    "  --frames N                   (9)\n" MATCH_OPTIONS_HELP
+    "\nExample: stad bench --num-disparities 128 --mode sgbm\n";
+
+typedef struct bench_job {
+    match_options options;
+    long width, height, frames;
+} bench_job;
+
+static const struct option longs[] = {MATCH_OPTIONS,
+                                      {"width", required_argument, NULL, 'W'},
+                                      {"height", required_argument, NULL, 'H'},
+                                      {"frames", required_argument, NULL, 'n'},
+                                      {"help", no_argument, NULL, 'h'},
+                                      {NULL, 0, NULL, 0}};
+
+static int take(bench_job *j, int code, tool_fail *f)
+{
+    if (code == 'W')
+        return tool_whole("width", optarg, 32, 4096, &j->width, f);
+    if (code == 'H')
+        return tool_whole("height", optarg, 16, 4096, &j->height, f);
+    return tool_whole("frames", optarg, 1, 1000, &j->frames, f);
+}
+
+static int read_options(bench_job *j, int argc, char **argv, tool_fail *f)
+{
+    int code, mine;
+    match_options_init(&j->options);
+    while ((code = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
+        int status = match_options_take(&j->options, code, optarg, &mine, f);
+        if (code == 'h')
+            return tool_help(help);
+        if (code == '?')
+            return tool_usage(argv[0]);
+        if (status == TOOL_OK && !mine)
+            status = take(j, code, f);
+        if (status)
+            return tool_report(argv[0], f);
+    }
+    return tool_words(argc, optind, 0, "only options are", f) ? tool_report(argv[0], f) : -1;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+static double cpu_seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Median seconds of a frame, the first one (which touches the memory) left out. */
+static int time_frames(engine *e, const bench_job *j, const stad_params *p, const picture *pair, double *median, tool_fail *f)
+{
+    disparity d = {0};
+    double *seconds = calloc((size_t)j->frames, sizeof *seconds);
+    int status = seconds ? engine_run(e, p, &pair[0], &pair[1], &d, NULL, f) : tool_fail_set(f, TOOL_FILE, "not enough memory");
+    for (long i = 0; i < j->frames && status == TOOL_OK; i++) {
+        double start = cpu_seconds();
+        status = engine_run(e, p, &pair[0], &pair[1], &d, NULL, f);
+        seconds[i] = cpu_seconds() - start;
+    }
+    if (status == TOOL_OK) {
+        qsort(seconds, (size_t)j->frames, sizeof *seconds, by_value);
+        *median = seconds[j->frames / 2];
+    }
+    free(seconds);
+    disparity_free(&d);
+    return status;
+}
+
+static int bench_mode(const bench_job *j, int mode, const picture *pair, tool_fail *f)
+{
+    stad_params p;
+    engine e;
+    double median;
+    match_options options = j->options;
+    options.some.mode = mode;
+    int status = match_options_params(&options, pair->width, pair->channels, &p, f);
+    if (status)
+        return status;
+    stad_geometry g = engine_geometry(&p, mode, options.memory, pair->width, pair->height, pair->channels);
+    status = engine_open(&e, &g, f);
+    if (status)
+        return status;
+    status = time_frames(&e, j, &p, pair, &median, f);
+    double columns = pair->width - (p.min_disparity + p.num_disparities);
+    if (status == TOOL_OK)
+        printf("%-5s %dx%d, %d disparities, block %d, %s: %8.3f ms, %6.3f ns per pixel and disparity, %zu bytes\n",
+               params_mode_name(mode), pair->width, pair->height, p.num_disparities, p.block_size,
+               options.memory == STAD_MEMORY_FAST ? "fast" : "small", 1e3 * median,
+               1e9 * median / (columns * pair->height * p.num_disparities), e.work_bytes);
+    engine_close(&e);
+    return status;
+}
+
+static int draw_pair(const bench_job *j, picture *pair, tool_fail *f)
+{
+    static scene s;
+    int32_t *truth;
+    picture visible;
+    scene_random(&s, (int)j->width, (int)j->height, 0, 64, 12, 1);
+    s.camera_noise = 6;
+    int status = scene_render(&s, &pair[0], &pair[1], &truth, &visible, f);
+    if (status == TOOL_OK) {
+        free(truth);
+        picture_free(&visible);
+    }
+    return status;
+}
+
+static int work(bench_job *j, tool_fail *f)
+{
+    picture pair[2];
+    int status = match_options_file(&j->options, f);
+    if (status == TOOL_OK && j->options.color)
+        status = tool_fail_set(f, TOOL_USAGE, "--color: the scene that is timed is grey");
+    if (status == TOOL_OK)
+        status = draw_pair(j, pair, f);
+    if (status)
+        return status;
+    int only = j->options.some.mode;
+    for (int mode = 0; mode < 4 && status == TOOL_OK; mode++)
+        if (only < 0 || only == mode)
+            status = bench_mode(j, mode, pair, f);
+    picture_free(&pair[0]);
+    picture_free(&pair[1]);
+    return status;
+}
+
+int cmd_bench(int argc, char **argv)
+{
+    static bench_job j;
+    tool_fail f = {0};
+    j.width = 640;
+    j.height = 480;
+    j.frames = 9;
+    int status = read_options(&j, argc, argv, &f);
+    if (status >= 0)
+        return status;
+    return work(&j, &f) ? tool_report(argv[0], &f) : TOOL_OK;
+}

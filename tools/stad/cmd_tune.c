@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT
+ * stad/cmd_tune.c - stad tune: better parameters for pairs with ground truth. */
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../common/whole_file.h"
+#include "tool.h"
+#include "tune_job.h"
+
+static const char help[] =
+    "usage: stad tune LEFT RIGHT --truth FILE [options]\n"
+    "       stad tune --scenes LIST.json [options]\n\n"
+    "Searches the matcher's parameters for the least cost, by nonlinear conjugate gradient on the lattice of whole numbers.\n\n"
+    "  --truth FILE, --mask FILE, --truth-scale S   as for `stad eval`\n"
+    "  --scenes LIST.json   [{\"left\": FILE, \"right\": FILE, \"truth\": FILE, \"mask\": FILE, \"truth_scale\": S,\n"
+    "                       \"min_disparity\": N, \"num_disparities\": N}, ...], the last four as needed; the mean cost counts\n"
+    "  --method ncg|ncg-paper|sd|hybrid             (ncg)\n"
+    "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
+    "  --threshold PX       error above which a pixel is wrong (1)\n"
+    "  --max-evals N        distinct evaluations at most, 1..200 (100)\n"
+    "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), values laid over\n"
+    "  --free NAME,...      what may vary (p1,p2,block_size,uniqueness_ratio,pre_filter_cap,disp12_max_diff)\n"
+    "  --json OUT           start, best and the trace of costs\n"
+    "  --header OUT.h       the best parameters as C\n" MATCH_OPTIONS_HELP
+    "\nExample: stad tune left.png right.png --truth truth.pfm --num-disparities 64 --json tuned.json\n"
+    "         stad match left.png right.png --params tuned.json -o disp.npy\n";
+
+enum {
+    OPT_TRUTH = 1,
+    OPT_SCENES,
+    OPT_MASK,
+    OPT_SCALE,
+    OPT_METHOD,
+    OPT_COST,
+    OPT_THRESHOLD,
+    OPT_EVALS,
+    OPT_START,
+    OPT_FREE,
+    OPT_JSON,
+    OPT_HEADER,
+    OPT_LATER
+};
+
+static const struct option longs[] = {MATCH_OPTIONS,
+                                      {"truth", required_argument, NULL, OPT_TRUTH},
+                                      {"scenes", required_argument, NULL, OPT_SCENES},
+                                      {"mask", required_argument, NULL, OPT_MASK},
+                                      {"truth-scale", required_argument, NULL, OPT_SCALE},
+                                      {"method", required_argument, NULL, OPT_METHOD},
+                                      {"cost", required_argument, NULL, OPT_COST},
+                                      {"threshold", required_argument, NULL, OPT_THRESHOLD},
+                                      {"max-evals", required_argument, NULL, OPT_EVALS},
+                                      {"start", required_argument, NULL, OPT_START},
+                                      {"free", required_argument, NULL, OPT_FREE},
+                                      {"json", required_argument, NULL, OPT_JSON},
+                                      {"header", required_argument, NULL, OPT_HEADER},
+                                      {"report", required_argument, NULL, OPT_LATER},
+                                      {"fiducials", no_argument, NULL, OPT_LATER},
+                                      {"help", no_argument, NULL, 'h'},
+                                      {NULL, 0, NULL, 0}};
+
+/* Calls `take` for every part of "a,b,c", which is cut up. */
+static int each_part(char *list, int (*take)(tune_job *, char *, tool_fail *), tune_job *j, tool_fail *f)
+{
+    int status = TOOL_OK;
+    for (char *part = list; part && status == TOOL_OK;) {
+        char *comma = strchr(part, ',');
+        if (comma)
+            *comma = 0;
+        status = take(j, part, f);
+        part = comma ? comma + 1 : NULL;
+    }
+    return status;
+}
+
+static int take_start(tune_job *j, char *part, tool_fail *f)
+{
+    char *equals = strchr(part, '=');
+    if (!equals && (strcmp(part, "default") == 0 || strcmp(part, "sample") == 0)) {
+        j->from_default = part[0] == 'd';
+        return TOOL_OK;
+    }
+    if (equals)
+        *equals = 0;
+    int field = params_field_find(part);
+    if (!equals || field < 0)
+        return tool_fail_set(f, TOOL_USAGE, "--start %s: must be default, sample, or NAME=VALUE of a parameter", part);
+    return params_some_set(&j->start, field, equals + 1, f);
+}
+
+static int take_free(tune_job *j, char *part, tool_fail *f)
+{
+    int field = params_field_find(part);
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        if (tune_field(i) == field) {
+            j->free_mask |= 1u << i;
+            return TOOL_OK;
+        }
+    return tool_fail_set(f, TOOL_USAGE,
+                         "--free %s: can be p1, p2, block_size, uniqueness_ratio, pre_filter_cap, disp12_max_diff", part);
+}
+
+static int take_name(const char *option, int *to, int found, tool_fail *f)
+{
+    *to = found;
+    if (found >= 0)
+        return TOOL_OK;
+    return tool_fail_set(f, TOOL_USAGE, "--%s %s: there is none of that name; see --help", option, optarg);
+}
+
+static int take(tune_job *j, int code, tool_fail *f)
+{
+    scored_scene *one = &j->set.scene[0];
+    switch (code) {
+    case OPT_TRUTH:
+        one->truth_path = optarg;
+        return TOOL_OK;
+    case OPT_MASK:
+        one->mask_path = optarg;
+        return TOOL_OK;
+    case OPT_SCALE:
+        return tool_real("truth-scale", optarg, 1e-3, 65536, &one->truth_scale, f);
+    case OPT_SCENES:
+        j->list = optarg;
+        return TOOL_OK;
+    case OPT_METHOD:
+        return take_name("method", &j->method, tune_method_of(optarg), f);
+    case OPT_COST:
+        return take_name("cost", &j->how.cost, tune_cost_of(optarg), f);
+    case OPT_THRESHOLD:
+        return tool_real("threshold", optarg, 0, 4095, &j->how.threshold, f);
+    case OPT_EVALS:
+        return tool_whole("max-evals", optarg, 1, STAD_TUNE_LOG, &j->max_evals, f);
+    case OPT_START:
+        return each_part(optarg, take_start, j, f);
+    case OPT_FREE:
+        return each_part(optarg, take_free, j, f);
+    case OPT_JSON:
+        j->json = optarg;
+        return TOOL_OK;
+    case OPT_HEADER:
+        j->header = optarg;
+        return TOOL_OK;
+    default:
+        return tool_fail_set(f, TOOL_USAGE, "--report and --fiducials are not part of this version");
+    }
+}
+
+static int take_words(tune_job *j, int argc, char **argv, tool_fail *f)
+{
+    if (tool_words(argc, optind, j->list ? 0 : 2, j->list ? "--scenes alone is" : "LEFT and RIGHT are", f))
+        return f->status;
+    if (j->list)
+        return TOOL_OK;
+    if (!j->set.scene[0].truth_path)
+        return tool_fail_set(f, TOOL_USAGE, "--truth FILE or --scenes LIST.json is wanted: what to tune on");
+    j->set.scene[0].left_path = argv[optind];
+    j->set.scene[0].right_path = argv[optind + 1];
+    return TOOL_OK;
+}
+
+static int read_options(tune_job *j, int argc, char **argv, tool_fail *f)
+{
+    int code, mine;
+    match_options_init(&j->options);
+    params_some_init(&j->start);
+    while ((code = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
+        int status = match_options_take(&j->options, code, optarg, &mine, f);
+        if (code == 'h')
+            return tool_help(help);
+        if (code == '?')
+            return tool_usage(argv[0]);
+        if (status == TOOL_OK && !mine)
+            status = take(j, code, f);
+        if (status)
+            return tool_report(argv[0], f);
+    }
+    return take_words(j, argc, argv, f) ? tool_report(argv[0], f) : -1;
+}
+
+static int check_outputs(const tune_job *j, tool_fail *f)
+{
+    int status = j->json ? tool_out_check(j->json, f) : TOOL_OK;
+    if (status == TOOL_OK && j->header)
+        status = tool_out_check(j->header, f);
+    return status;
+}
+
+static int work(tune_job *j, tool_fail *f)
+{
+    int status = match_options_file(&j->options, f);
+    j->how.mode = match_options_mode(&j->options);
+    j->how.memory = j->options.memory;
+    if (status == TOOL_OK && j->list) {
+        scene_set_free(&j->set);
+        status = scene_set_list(&j->set, j->list, f);
+    }
+    if (status == TOOL_OK)
+        status = check_outputs(j, f);
+    if (status == TOOL_OK)
+        status = tune_search(j, f);
+    if (status == TOOL_OK && j->json)
+        status = tune_write_json(j, f);
+    if (status == TOOL_OK && j->header)
+        status = tune_write_header(j, f);
+    if (status == TOOL_OK)
+        tune_print(j);
+    return status;
+}
+
+int cmd_tune(int argc, char **argv)
+{
+    static tune_job j; /* holds the tuner's log */
+    tool_fail f = {0};
+    j.how.threshold = 1;
+    if (scene_set_single(&j.set, &f))
+        return tool_report(argv[0], &f);
+    int status = read_options(&j, argc, argv, &f);
+    if (status < 0)
+        status = work(&j, &f) ? tool_report(argv[0], &f) : TOOL_OK;
+    scene_set_free(&j.set);
+    return status;
+}

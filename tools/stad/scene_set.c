@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT
+ * stad/scene_set.c - the pairs with truth that a search is scored on. */
+#include "scene_set.h"
+
+#include <cjson/cJSON.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../common/whole_file.h"
+
+#define LIST_FILE_MAX ((size_t)16 << 20)
+#define LIST_SCENES   10000
+
+static int set_alloc(scene_set *s, int count, tool_fail *f)
+{
+    s->scene = calloc((size_t)count, sizeof *s->scene);
+    s->owned = calloc((size_t)count * 4, sizeof *s->owned);
+    if (!s->scene || !s->owned)
+        return tool_fail_set(f, TOOL_FILE, "not enough memory for %d scenes", count);
+    s->count = count;
+    for (int i = 0; i < count; i++)
+        s->scene[i].min_disparity = INT_MAX;
+    return TOOL_OK;
+}
+
+int scene_set_single(scene_set *s, tool_fail *f)
+{
+    memset(s, 0, sizeof *s);
+    return set_alloc(s, 1, f);
+}
+
+/* `name` in the folder of `list`, owned by the set. */
+static const char *path_beside(scene_set *s, const char *list, const char *name)
+{
+    const char *slash = strrchr(list, '/');
+    size_t folder = name[0] == '/' || !slash ? 0 : (size_t)(slash - list) + 1;
+    char *path = malloc(folder + strlen(name) + 1);
+    if (!path)
+        return NULL;
+    memcpy(path, list, folder);
+    strcpy(path + folder, name);
+    s->owned[s->owned_count++] = path;
+    return path;
+}
+
+static int take_path(scene_set *s, const cJSON *item, const char *list, int i, const char *key, const char **path, tool_fail *f)
+{
+    const cJSON *name = cJSON_GetObjectItemCaseSensitive(item, key);
+    if (!name && strcmp(key, "mask") == 0)
+        return TOOL_OK;
+    if (!cJSON_IsString(name))
+        return tool_fail_set(f, TOOL_FILE, "%s: scene %d has no file name \"%s\"", list, i, key);
+    *path = path_beside(s, list, name->valuestring);
+    return *path ? TOOL_OK : tool_fail_set(f, TOOL_FILE, "%s: not enough memory", list);
+}
+
+static int take_number(const cJSON *item, const char *list, int i, const char *key, double *v, tool_fail *f)
+{
+    const cJSON *number = cJSON_GetObjectItemCaseSensitive(item, key);
+    if (!number)
+        return TOOL_OK;
+    if (!cJSON_IsNumber(number) || !(number->valuedouble > -1e5 && number->valuedouble < 1e5))
+        return tool_fail_set(f, TOOL_FILE, "%s: scene %d: \"%s\" is no number in range", list, i, key);
+    *v = number->valuedouble;
+    return TOOL_OK;
+}
+
+static int take_scene(scene_set *s, const cJSON *item, const char *list, int i, tool_fail *f)
+{
+    scored_scene *c = &s->scene[i];
+    double min = INT_MAX, num = 0;
+    int status = take_path(s, item, list, i, "left", &c->left_path, f);
+    if (status == TOOL_OK)
+        status = take_path(s, item, list, i, "right", &c->right_path, f);
+    if (status == TOOL_OK)
+        status = take_path(s, item, list, i, "truth", &c->truth_path, f);
+    if (status == TOOL_OK)
+        status = take_path(s, item, list, i, "mask", &c->mask_path, f);
+    if (status == TOOL_OK)
+        status = take_number(item, list, i, "truth_scale", &c->truth_scale, f);
+    if (status == TOOL_OK)
+        status = take_number(item, list, i, "min_disparity", &min, f);
+    if (status == TOOL_OK)
+        status = take_number(item, list, i, "num_disparities", &num, f);
+    c->min_disparity = (int)min;
+    c->num_disparities = (int)num;
+    return status;
+}
+
+int scene_set_list(scene_set *s, const char *path, tool_fail *f)
+{
+    unsigned char *text;
+    size_t size;
+    memset(s, 0, sizeof *s);
+    int status = tool_read_whole(path, LIST_FILE_MAX, &text, &size, f);
+    if (status)
+        return status;
+    cJSON *list = cJSON_ParseWithLength((const char *)text, size);
+    int count = cJSON_GetArraySize(list);
+    free(text);
+    if (!cJSON_IsArray(list) || count < 1 || count > LIST_SCENES)
+        status = tool_fail_set(f, TOOL_FILE, "%s: not a JSON array of 1..%d scenes", path, LIST_SCENES);
+    else
+        status = set_alloc(s, count, f);
+    for (int i = 0; i < count && status == TOOL_OK; i++)
+        status = take_scene(s, cJSON_GetArrayItem(list, i), path, i, f);
+    cJSON_Delete(list);
+    return status;
+}
+
+static int read_scene(scored_scene *c, int color, tool_fail *f)
+{
+    int status = engine_read_pair(&c->left, &c->right, c->left_path, c->right_path, color, f);
+    if (status == TOOL_OK)
+        status = truth_read(&c->truth, c->truth_path, c->truth_scale, c->min_disparity == INT_MAX ? 0 : c->min_disparity, f);
+    if (status == TOOL_OK && c->mask_path)
+        status = truth_mask(&c->truth, c->mask_path, f);
+    if (status == TOOL_OK && (c->truth.width != c->left.width || c->truth.height != c->left.height))
+        status = tool_fail_set(f, TOOL_USAGE, "%s is %d x %d, the images are %d x %d", c->truth_path, c->truth.width,
+                               c->truth.height, c->left.width, c->left.height);
+    return status;
+}
+
+int scene_set_read(scene_set *s, int color, tool_fail *f)
+{
+    int status = TOOL_OK;
+    for (int i = 0; i < s->count && status == TOOL_OK; i++)
+        status = read_scene(&s->scene[i], color, f);
+    return status;
+}
+
+void scene_set_free(scene_set *s)
+{
+    for (int i = 0; i < s->count; i++) {
+        picture_free(&s->scene[i].left);
+        picture_free(&s->scene[i].right);
+        truth_free(&s->scene[i].truth);
+        disparity_free(&s->scene[i].disp);
+        engine_close(&s->scene[i].engine);
+    }
+    for (int i = 0; i < s->owned_count; i++)
+        free(s->owned[i]);
+    free(s->owned);
+    free(s->scene);
+    memset(s, 0, sizeof *s);
+}
+
+int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, tool_fail *f)
+{
+    stad_score score;
+    stad_score_config config;
+    *cost_q20 = STAD_COST_FAILED;
+    if (stad_params_check(p, how->mode, c->left.width, NULL) != STAD_OK)
+        return TOOL_OK;
+    int status = engine_run(&c->engine, p, &c->left, &c->right, &c->disp, NULL, f);
+    if (status)
+        return status;
+    stad_score_config_init(&config, how->cost, p->min_disparity, p->num_disparities);
+    config.threshold_q16 = (int32_t)(how->threshold * 65536 + 0.5);
+    if (stad_score_begin(&score, &config) != STAD_OK)
+        return tool_fail_set(f, TOOL_USAGE, "the scorer refuses min_disparity %d, num_disparities %d, threshold %g",
+                             p->min_disparity, p->num_disparities, how->threshold);
+    measure_feed(&score, &c->disp, &c->truth);
+    *cost_q20 = stad_score_end(&score);
+    return TOOL_OK;
+}

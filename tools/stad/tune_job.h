@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT
+ * stad/tune_job.h - what `stad tune` is asked for, and what came of it. */
+#ifndef STAD_TUNE_JOB_H
+#define STAD_TUNE_JOB_H
+
+#include "match_options.h"
+#include "scene_set.h"
+#include "stad/tune.h"
+
+/* A point of the search and its measures, means over the scenes. Fractions; rmse in px. */
+typedef struct tune_point {
+    stad_params params; /* of the first scene */
+    double cost, bad, chow, rmse, density;
+} tune_point;
+
+typedef struct tune_job {
+    match_options options;
+    params_some start; /* --start NAME=V,... */
+    int from_default;  /* --start default */
+    const char *list, *json, *header;
+    int method;
+    unsigned free_mask;
+    long max_evals; /* 0: the library's own */
+    scoring how;
+    scene_set set;
+    stad_tune tune;
+    tune_point first, best;
+    double seconds;
+} tune_job;
+
+const char *tune_method_name(int method);
+int tune_method_of(const char *name);
+const char *tune_cost_name(int cost);
+int tune_cost_of(const char *name);
+
+/* Which field of stad_params a coordinate of the search is. */
+int tune_field(int dim);
+
+/* The search itself: reads the scenes, evaluates, fills first, best and seconds. */
+int tune_search(tune_job *j, tool_fail *f);
+
+void tune_print(const tune_job *j);
+int tune_write_json(const tune_job *j, tool_fail *f);
+int tune_write_header(const tune_job *j, tool_fail *f);
+
+#endif

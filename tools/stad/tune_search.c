@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: MIT
+ * stad/tune_search.c - the loop of `stad tune`: ask, match, score, tell. */
+#include <limits.h>
+
+#include "tool.h"
+#include "tune_job.h"
+
+static int scene_channels(const tune_job *j)
+{
+    return j->options.color ? 3 : 1;
+}
+
+/* What a scene starts from: the chosen set, then --start's values, then options, then what the list says of this scene. */
+static int base_of(const tune_job *j, scored_scene *c, tool_fail *f)
+{
+    params_some some = j->start;
+    params_some_merge(&some, &j->options.some);
+    if (c->min_disparity != INT_MAX) {
+        some.value[FIELD_MIN_DISPARITY] = c->min_disparity;
+        some.given |= 1u << FIELD_MIN_DISPARITY;
+    }
+    if (c->num_disparities > 0) {
+        some.value[FIELD_NUM_DISPARITIES] = c->num_disparities;
+        some.given |= 1u << FIELD_NUM_DISPARITIES;
+    }
+    params_from_some(&c->base, &some, c->left.width, scene_channels(j));
+    if (j->from_default) {
+        stad_params_default(&c->base, c->base.num_disparities);
+        for (int i = 0; i < FIELD_COUNT; i++)
+            if (some.given >> i & 1)
+                params_set(&c->base, i, some.value[i]);
+    }
+    return params_check_text(&c->base, j->how.mode, c->left.width, f);
+}
+
+static stad_point point_of(const stad_params *p)
+{
+    stad_point x;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        x.v[i] = (int16_t)params_get(p, tune_field(i));
+    return x;
+}
+
+static stad_params params_at(const stad_params *base, const stad_point *x)
+{
+    stad_params p = *base;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        params_set(&p, tune_field(i), x->v[i]);
+    return p;
+}
+
+/* The library's bounds, widened to hold the start. */
+static void configure(const tune_job *j, stad_tune_config *c, const stad_point *start)
+{
+    int purpose = j->how.cost == STAD_SCORE_BAD    ? STAD_TUNE_FOR_BAD
+                  : j->how.cost == STAD_SCORE_CHOW ? STAD_TUNE_FOR_CHOW
+                                                   : STAD_TUNE_FOR_ANY;
+    stad_tune_config_stereo(c, purpose);
+    c->method = (uint8_t)j->method;
+    if (j->free_mask)
+        c->free_mask = (uint8_t)j->free_mask;
+    if (j->max_evals)
+        c->budget = (int16_t)j->max_evals;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        if (start->v[i] < c->axis[i].lo)
+            c->axis[i].lo = start->v[i];
+        if (start->v[i] > c->axis[i].hi)
+            c->axis[i].hi = start->v[i];
+    }
+}
+
+/* A matcher with room for every point that the search may ask for. */
+static int open_engine(const tune_job *j, scored_scene *c, const stad_tune_config *config, tool_fail *f)
+{
+    stad_geometry g = engine_geometry(&c->base, j->how.mode, j->how.memory, c->left.width, c->left.height, c->left.channels);
+    g.max_block_size = config->axis[STAD_TUNE_BLOCK_SIZE].hi;
+    g.max_p2 = config->axis[STAD_TUNE_P2].hi;
+    g.max_pre_filter_cap = config->axis[STAD_TUNE_PRE_FILTER_CAP].hi;
+    return engine_open(&c->engine, &g, f);
+}
+
+static int prepare(tune_job *j, tool_fail *f)
+{
+    stad_tune_config config;
+    const char *culprit = NULL;
+    int status = scene_set_read(&j->set, j->options.color, f);
+    for (int i = 0; i < j->set.count && status == TOOL_OK; i++)
+        status = base_of(j, &j->set.scene[i], f);
+    if (status)
+        return status;
+    stad_point start = point_of(&j->set.scene[0].base);
+    configure(j, &config, &start);
+    if (stad_tune_config_check(&config, &culprit) != STAD_OK || stad_tune_init(&j->tune, &config, &start) != STAD_OK)
+        return tool_fail_set(f, TOOL_USAGE, "the tuner refuses %s", culprit ? culprit : "its configuration");
+    for (int i = 0; i < j->set.count && status == TOOL_OK; i++)
+        status = open_engine(j, &j->set.scene[i], &config, f);
+    return status;
+}
+
+/* The mean cost over the scenes; a scene that cannot be matched so fails the point. */
+static int cost_at(tune_job *j, const stad_point *x, int32_t *cost_q20, tool_fail *f)
+{
+    int64_t sum = 0;
+    for (int i = 0; i < j->set.count; i++) {
+        stad_params p = params_at(&j->set.scene[i].base, x);
+        int32_t cost;
+        int status = scene_cost(&j->set.scene[i], &p, &j->how, &cost, f);
+        if (status)
+            return status;
+        if (cost == STAD_COST_FAILED) {
+            *cost_q20 = STAD_COST_FAILED;
+            return TOOL_OK;
+        }
+        sum += cost;
+    }
+    *cost_q20 = (int32_t)((sum + j->set.count / 2) / j->set.count);
+    return TOOL_OK;
+}
+
+/* Every measure at a point, means over the scenes. */
+static int describe(tune_job *j, const stad_point *x, tune_point *at, tool_fail *f)
+{
+    int32_t cost;
+    int status = cost_at(j, x, &cost, f);
+    if (status == TOOL_OK && cost == STAD_COST_FAILED)
+        status = tool_fail_set(f, TOOL_USAGE, "no pixel of a scene can be scored: the truth lies left of column min + num disparities");
+    if (status)
+        return status;
+    *at = (tune_point){.params = params_at(&j->set.scene[0].base, x), .cost = (double)cost / STAD_COST_ONE};
+    for (int i = 0; i < j->set.count && status == TOOL_OK; i++) {
+        const scored_scene *c = &j->set.scene[i];
+        measures m;
+        status = measure(&m, &c->disp, &c->truth, c->base.num_disparities, j->how.threshold, f);
+        at->bad += m.bad_at_threshold / j->set.count;
+        at->chow += m.chow / j->set.count;
+        at->rmse += m.rmse / j->set.count;
+        at->density += m.density / j->set.count;
+    }
+    return status;
+}
+
+static void show_progress(const tune_job *j)
+{
+    int32_t best;
+    stad_tune_counts n = stad_tune_counts_of(&j->tune);
+    if (stad_tune_best(&j->tune, NULL, &best) == STAD_OK)
+        progress_line("%3d / %d evaluations, %s %.3f %%", n.evaluations, j->tune.config.budget, tune_cost_name(j->how.cost),
+                      100.0 * best / STAD_COST_ONE);
+}
+
+int tune_search(tune_job *j, tool_fail *f)
+{
+    stad_point x;
+    double start = tool_seconds();
+    int status = prepare(j, f);
+    if (status)
+        return status;
+    x = point_of(&j->set.scene[0].base);
+    status = describe(j, &x, &j->first, f);
+    while (status == TOOL_OK && stad_tune_ask(&j->tune, &x) == 1) {
+        int32_t cost;
+        status = cost_at(j, &x, &cost, f);
+        if (status == TOOL_OK)
+            stad_tune_tell(&j->tune, cost);
+        show_progress(j);
+    }
+    if (status == TOOL_OK && stad_tune_best(&j->tune, &x, NULL) != STAD_OK)
+        status = tool_fail_set(f, TOOL_USAGE, "no point could be scored");
+    if (status == TOOL_OK)
+        status = describe(j, &x, &j->best, f);
+    j->seconds = tool_seconds() - start;
+    progress_end();
+    return status;
+}
