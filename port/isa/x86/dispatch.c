@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT
+ * port/isa/x86/dispatch.c - chooses the widest tier that the CPU has, the environment allows and the size fits.
+ *
+ * The one file of the library's builds that reads the environment and keeps a static: the tier, found once and never
+ * changed (two threads may both find it; they find the same). It is not part of a build for a microcontroller. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/kernel.h"
+
+enum tier { TIER_C, TIER_SSE41, TIER_AVX2, TIER_COUNT };
+
+static const char *const tier_names[TIER_COUNT] = {"c", "sse41", "avx2"};
+
+static int find_tier(void)
+{
+    const char *mask = getenv("STAD_ISA");
+    int tier = TIER_C;
+    if (__builtin_cpu_supports("sse4.1"))
+        tier = TIER_SSE41;
+    if (__builtin_cpu_supports("avx2"))
+        tier = TIER_AVX2;
+    for (int i = 0; mask && i < tier; i++)
+        if (strcmp(mask, tier_names[i]) == 0)
+            tier = i;
+    return tier;
+}
+
+int stad_x86_tier(void)
+{
+    static int found = -1;
+    if (found < 0)
+        found = find_tier();
+    return found;
+}
+
+const char *stad_x86_tier_name(void)
+{
+    return tier_names[stad_x86_tier()];
+}
+
+/* A kernel whose widest form needs `lanes` to divide n; 8 always does (kernel.h). */
+static int tier_for(int32_t n)
+{
+    const int tier = stad_x86_tier();
+    return tier == TIER_AVX2 && n % 16 != 0 ? TIER_SSE41 : tier;
+}
+
+#define STAD_DISPATCH(tier, kernel, arguments) \
+    do { \
+        if ((tier) == TIER_AVX2) \
+            kernel##_avx2 arguments; \
+        else if ((tier) == TIER_SSE41) \
+            kernel##_sse41 arguments; \
+        else \
+            kernel##_c arguments; \
+    } while (0)
+
+void stad_prefilter_row_x86(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
+                            int32_t cap, uint8_t *planes)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_prefilter_row, (above, row, below, width, channels, cap, planes));
+}
+
+void stad_range_row_x86(const uint8_t *plane, int32_t width, int reverse, uint8_t *out)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_range_row, (plane, width, reverse, out));
+}
+
+void stad_cost_row_u8_x86(const stad_cost_job *job, uint8_t *cost)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_cost_row_u8, (job, cost));
+}
+
+void stad_cost_row_u16_x86(const stad_cost_job *job, uint16_t *cost)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_cost_row_u16, (job, cost));
+}
+
+void stad_box_add_row_u8_x86(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_box_add_row_u8, (sum, cost, n, weight));
+}
+
+void stad_box_add_row_u16_x86(int16_t *sum, const uint16_t *cost, int32_t n, int32_t weight)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_box_add_row_u16, (sum, cost, n, weight));
+}
+
+void stad_box_move_row_u8_x86(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_box_move_row_u8, (sum, in, out, n));
+}
+
+void stad_box_move_row_u16_x86(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_box_move_row_u16, (sum, in, out, n));
+}
+
+void stad_slide_row_x86(const stad_slide_job *job, int16_t *block)
+{
+    STAD_DISPATCH(tier_for(job->disparities), stad_slide_row, (job, block));
+}
+
+void stad_path_row_x86(const stad_path_job *job, stad_lane *lanes, int32_t lane_count)
+{
+    STAD_DISPATCH(tier_for(job->disparities), stad_path_row, (job, lanes, lane_count));
+}
+
+void stad_gather_row_x86(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job)
+{
+    STAD_DISPATCH(tier_for(job->disparities), stad_gather_row, (total, lane, slot, job));
+}
+
+void stad_best_row_x86(const int16_t *total, int32_t count, int32_t disparities, stad_best *best)
+{
+    STAD_DISPATCH(tier_for(disparities), stad_best_row, (total, count, disparities, best));
+}
+
+void stad_best_row_3way_x86(const int16_t *total, int32_t count, int32_t disparities, stad_best *best)
+{
+    STAD_DISPATCH(tier_for(disparities), stad_best_row_3way, (total, count, disparities, best));
+}
+
+void stad_median_row_x86(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out)
+{
+    STAD_DISPATCH(stad_x86_tier(), stad_median_row, (above, row, below, width, out));
+}
