@@ -41,8 +41,9 @@ static cJSON *point_json(const tune_point *p)
 static cJSON *trace_json(const stad_tune *t)
 {
     cJSON *list = cJSON_CreateArray();
+    stad_point x;
     int32_t cost, best = STAD_COST_FAILED;
-    for (int i = 0; stad_tune_trace(t, i, NULL, &cost) == STAD_OK; i++) {
+    for (int i = 0; stad_tune_trace(t, i, &x, &cost) == STAD_OK; i++) {
         cJSON *row = cJSON_CreateArray();
         best = cost < best ? cost : best;
         cJSON_AddItemToArray(row, cJSON_CreateNumber(i + 1));
