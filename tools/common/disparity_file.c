@@ -97,8 +97,8 @@ static int16_t q4_of(float px, int16_t none_q4)
 static int read_grid(disparity *d, const char *path, int min_disparity, tool_fail *f)
 {
     grid g;
-    int npy = tool_has_suffix(path, ".npy");
-    int status = npy ? grid_read_npy(&g, path, f) : grid_read_pfm(&g, path, f);
+    int pfm = tool_has_suffix(path, ".pfm");
+    int status = pfm ? grid_read_pfm(&g, path, f) : grid_read_npy(&g, path, f);
     if (status)
         return status;
     status = disparity_alloc(d, g.width, g.height, min_disparity, f);

@@ -20,7 +20,8 @@ typedef struct grid {
 
 void grid_free(grid *g);
 
-/* A two-dimensional array of int16, float32 or float64, either byte order, C order. */
+/* A two-dimensional array of int16, float32 or float64, either byte order, C order; of an .npz the
+ * first array. */
 int grid_read_npy(grid *g, const char *path, tool_fail *f);
 
 /* One channel ("Pf"), either byte order; its rows are stored bottom up. */

@@ -17,4 +17,7 @@ uint64_t grid_word(const uint8_t *at, int bytes, int big_endian);
 float grid_number(const uint8_t *at, enum grid_kind kind, int big_endian);
 int grid_alloc(grid *g, long width, long height, const char *path, tool_fail *f);
 
+/* Unpacks the first member of an archive into *npy (malloc). */
+int npz_first(const uint8_t *file, size_t size, uint8_t **npy, size_t *n, const char *path, tool_fail *f);
+
 #endif

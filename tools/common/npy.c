@@ -113,6 +113,11 @@ int grid_read_npy(grid *g, const char *path, tool_fail *f)
     size_t size;
     memset(g, 0, sizeof *g);
     int status = tool_read_whole(path, GRID_FILE_MAX, &file, &size, f);
+    if (status == TOOL_OK && size > 4 && memcmp(file, "PK\003\004", 4) == 0) {
+        uint8_t *archive = file;
+        status = npz_first(archive, size, &file, &size, path, f);
+        free(archive);
+    }
     if (status == TOOL_OK)
         status = read_body(g, file, size, path, f);
     free(file);

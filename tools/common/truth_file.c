@@ -62,8 +62,8 @@ static int from_grid(truth_map *t, const grid *g, int min_disparity, const char 
 static int read_grid(truth_map *t, const char *path, int min_disparity, tool_fail *f)
 {
     grid g;
-    int npy = tool_has_suffix(path, ".npy");
-    int status = npy ? grid_read_npy(&g, path, f) : grid_read_pfm(&g, path, f);
+    int pfm = tool_has_suffix(path, ".pfm");
+    int status = pfm ? grid_read_pfm(&g, path, f) : grid_read_npy(&g, path, f);
     if (status)
         return status;
     status = truth_alloc(t, g.width, g.height, path, f);
@@ -111,7 +111,7 @@ int truth_read(truth_map *t, const char *path, double scale, int min_disparity, 
 {
     int status;
     memset(t, 0, sizeof *t);
-    if (tool_has_suffix(path, ".npy") || tool_has_suffix(path, ".pfm"))
+    if (tool_has_suffix(path, ".npy") || tool_has_suffix(path, ".npz") || tool_has_suffix(path, ".pfm"))
         status = read_grid(t, path, min_disparity, f);
     else
         status = read_plane(t, path, scale, f);

@@ -21,7 +21,8 @@ typedef struct truth_map {
 void truth_free(truth_map *t);
 
 /* .pfm (pixels; NaN or infinite = none), 16-bit .png (px * 256, or * scale if scale > 0; 0 = none), 8-bit .png or .pgm
- * (px * scale; 0 = none; refused when scale is 0), .npy (int16: px * 16, below min_disparity = none; float: as .pfm).
+ * (px * scale; 0 = none; refused when scale is 0), .npy or .npz (int16: px * 16, below min_disparity = none; float:
+ * as .pfm).
  * Pixels are labelled by the library's rule. */
 int truth_read(truth_map *t, const char *path, double scale, int min_disparity, tool_fail *f);
 

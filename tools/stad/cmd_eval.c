@@ -11,7 +11,8 @@
 static const char help[] =
     "usage: stad eval DISP TRUTH --min-disparity N --num-disparities N [options]\n\n"
     "How far a disparity map is from the truth. Scored are pixels whose truth is known, from column min + num disparities on.\n"
-    "DISP: .npy (int16, * 16, or float), .pfm, .png (16 bits, * 256). TRUTH: the same, or 8 bits with --truth-scale.\n\n"
+    "DISP: .npy (int16, * 16, or float), .pfm, .png (16 bits, * 256). TRUTH: the same, .npz,\n"
+    "or 8 bits with --truth-scale.\n\n"
     "  --min-disparity N, --num-disparities N   as matched\n"
     "  --mask FILE          which pixels both cameras see: 0 and 128 = hidden, else visible (without: found from the truth)\n"
     "  --truth-scale S      steps per pixel of a truth that is a .png or .pgm (256 for 16 bits)\n"
