@@ -4,9 +4,8 @@
  * From the best of the start and its ladder: sweep the axes, each giving slope and curvature and moving at once; take one
  * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
  * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best of another block. */
+#include "tune/tune_ncg.h"
 #include "tune/tune_walk.h"
-
-#include <stddef.h>
 
 #define REACH_FIRST (3 * TUNE_ONE / 4)
 #define REACH_AGAIN (TUNE_ONE / 2)
@@ -59,20 +58,6 @@ static void forget_curve(const stad_tune *t, tune_walk *w)
     w->has_old = 0;
 }
 
-static int32_t longest_step(const tune_walk *w)
-{
-    int32_t longest = 0;
-    for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        longest = w->step[i] > longest ? w->step[i] : longest;
-    return longest;
-}
-
-static void set_steps(tune_walk *w, int32_t reach)
-{
-    for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        w->step[i] = reach;
-}
-
 /* From x until nothing is gained at the least step. 0: a cost is wanted. */
 static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reach)
 {
@@ -92,22 +77,22 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
         }
         if (polled_at < 0)
             polled_at = w.cost;
-        if (2 * longest_step(&w) <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
+        if (2 * w.step <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
             return 0;
         if (!sweep_all(t, &w) || !stad_tune_joint_step(t, &w))
             return 0;
         if ((int64_t)before - w.cost < before / 250) {
-            if (longest_step(&w) <= REACH_LEAST) {
+            if (w.step <= REACH_LEAST) {
                 if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
                     return 0;
                 if (!moved)
                     return 1;
                 forget_curve(t, &w);
-                set_steps(&w, REACH_AGAIN);
+                w.step = REACH_AGAIN;
                 polled_at = w.cost;
                 continue;
             }
-            set_steps(&w, longest_step(&w) / 2 > REACH_LEAST ? longest_step(&w) / 2 : REACH_LEAST);
+            w.step = w.step / 2 > REACH_LEAST ? w.step / 2 : REACH_LEAST;
             w.has_old = 0;
         }
         if (k % 4 == 0)
@@ -116,7 +101,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
     return 1;
 }
 
-/* Scores the start and its ladder. *other: the best with a block unlike the best one's, -1 if there is none. */
+/* Scores the start and its ladder. */
 static int score_ladder(stad_tune *t)
 {
     int32_t cost;
@@ -150,11 +135,8 @@ static int descend_from(stad_tune *t, int entry, int32_t reach)
     return descend(t, &x, t->cost[entry], reach);
 }
 
-static void run(stad_tune *t)
+void stad_tune_ncg_descents(stad_tune *t, int rungs)
 {
-    if (!score_ladder(t))
-        return;
-    const int rungs = t->cursor; /* distinct ladder points */
     if (!descend_from(t, t->lead, REACH_FIRST) || t->config.patience)
         return;
     if (!descend_from(t, t->lead, REACH_AGAIN))
@@ -176,6 +158,7 @@ int stad_tune_ncg_tell(stad_tune *t, int32_t cost_q20)
     if (status != STAD_OK)
         return status;
     stad_tune_core_rewind(t);
-    run(t);
+    if (score_ladder(t))
+        stad_tune_ncg_descents(t, t->cursor);
     return STAD_OK;
 }

@@ -18,8 +18,8 @@
 #endif
 
 typedef struct direction {
-    int32_t move[STAD_TUNE_DIMS];  /* steps, Q16 */
-    int32_t scale[STAD_TUNE_DIMS]; /* diagonal of the preconditioner: cost per step squared, Q20, >= 1 */
+    int32_t move[STAD_TUNE_DIMS]; /* steps, Q16 */
+    int64_t fall;                 /* slope . scaled steepest way, >= 0 */
 } direction;
 
 static int32_t magnitude(int32_t v)
@@ -36,7 +36,7 @@ static int in_step(const stad_tune *t, int i)
 static int32_t scale_of(const tune_walk *w, int i)
 {
     int64_t scale = TUNE_SCALING ? w->curve[i] : 0;
-    const int64_t held = (int64_t)magnitude(w->slope[i]) * 65536 / (2 * (int64_t)w->step[i]);
+    const int64_t held = (int64_t)magnitude(w->slope[i]) * 65536 / (2 * (int64_t)w->step);
     const int64_t least = w->cost / 1000;
     scale = scale > held ? scale : held;
     scale = scale > least ? scale : least;
@@ -44,21 +44,18 @@ static int32_t scale_of(const tune_walk *w, int i)
     return scale < INT32_MAX ? (int32_t)scale : INT32_MAX;
 }
 
-/* PR+: z . (g - g') / (g' . z'), held to 0..2, Q12. Each |z| <= 2^18 and |g| <= 2^24, so sums stay below 2^46. */
+/* PR+: z . (g - g') / (g' . z'), held to 0..2, Q12. |z| <= 2^18 (twice the probing distance) and |g| <= 2^24: sums stay
+ * below 2^46. */
 static int64_t beta_q12(const stad_tune *t, const tune_walk *w, const direction *d)
 {
-    int64_t above = 0, below = 0;
-    if (!w->has_old || !TUNE_BETA)
+    int64_t above = 0;
+    if (!w->has_old || !TUNE_BETA || w->old_fall <= 0)
         return 0;
-    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        if (!in_step(t, i))
-            continue;
-        above += -(int64_t)d->move[i] * ((int64_t)w->slope[i] - w->old_slope[i]);
-        below += (int64_t)w->old_slope[i] * stad_tune_div_q16(w->old_slope[i], w->old_scale[i]);
-    }
-    if (below <= 0 || above <= 0)
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        above -= in_step(t, i) ? (int64_t)d->move[i] * ((int64_t)w->slope[i] - w->old_slope[i]) : 0;
+    if (above <= 0)
         return 0;
-    const int64_t beta = above * BETA_ONE / below;
+    const int64_t beta = above * BETA_ONE / w->old_fall;
     return beta < 2 * BETA_ONE ? beta : 2 * BETA_ONE;
 }
 
@@ -89,10 +86,10 @@ static void choose_direction(const stad_tune *t, const tune_walk *w, direction *
 {
     memset(d, 0, sizeof *d);
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        d->scale[i] = scale_of(w, i);
         if (in_step(t, i))
-            d->move[i] = -stad_tune_div_q16(w->slope[i], d->scale[i]);
+            d->move[i] = -stad_tune_div_q16(w->slope[i], scale_of(w, i));
     }
+    d->fall = -along(t, w, d->move);
     const int64_t beta = beta_q12(t, w, d);
     if (beta == 0)
         return;
@@ -176,7 +173,7 @@ int stad_tune_joint_step(stad_tune *t, tune_walk *w)
     if (longest >= TUNE_ONE / 16 && !line_search(t, w, &d, longest))
         return 0;
     memcpy(w->old_slope, w->slope, sizeof w->old_slope);
-    memcpy(w->old_scale, d.scale, sizeof w->old_scale);
+    w->old_fall = d.fall;
     memcpy(w->old_move, d.move, sizeof w->old_move);
     w->has_old = 1;
     return 1;

@@ -31,11 +31,9 @@ void stad_tune_walk_from(const stad_tune *t, tune_walk *w, const stad_point *x, 
 {
     memset(w, 0, sizeof *w);
     stad_tune_walk_move(t, w, x, cost);
-    w->block_side = t->config.axis[STAD_TUNE_BLOCK_SIZE].side;
-    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        w->step[i] = reach;
+    w->step = reach;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
         w->side[i] = t->config.axis[i].side < 0 ? -1 : 1;
-    }
 }
 
 /* A probe: its distance from where the axis was entered, with sign, and its cost. */
@@ -123,8 +121,8 @@ static int second_probe(stad_tune *t, const tune_walk *w, int i, const probe *a,
     if (other_side_useless(w, i, r, a->cost))
         return 1;
     int32_t room = stad_tune_room(t, &w->at, i, -s);
-    room = room < w->step[i] ? room : w->step[i];
-    return room <= w->step[i] / 4 || probe_at(t, w, i, -s * room, b, moved);
+    room = room < w->step ? room : w->step;
+    return room <= w->step / 4 || probe_at(t, w, i, -s * room, b, moved);
 }
 
 int stad_tune_sweep_axis(stad_tune *t, tune_walk *w, int i)
@@ -135,8 +133,8 @@ int stad_tune_sweep_axis(stad_tune *t, tune_walk *w, int i)
     for (int k = 0; k < 2 && !moved; k++) {
         const int s = k == 0 ? w->side[i] : -w->side[i];
         const int32_t room = stad_tune_room(t, &w->at, i, s);
-        const int32_t r = room < w->step[i] ? room : w->step[i];
-        if (r < w->step[i] / 4 || r == 0)
+        const int32_t r = room < w->step ? room : w->step;
+        if (r < w->step / 4 || r == 0)
             continue;
         if (!probe_at(t, w, i, s * r, &a, &moved))
             return 0;

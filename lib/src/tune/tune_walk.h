@@ -13,15 +13,14 @@ typedef struct tune_walk {
     stad_point x;
     int32_t cost;
     tune_vars at;
-    int32_t step[STAD_TUNE_DIMS];      /* probing distance */
     int32_t slope[STAD_TUNE_DIMS];
     int32_t curve[STAD_TUNE_DIMS];     /* 0: unknown or not convex */
-    int32_t old_slope[STAD_TUNE_DIMS]; /* at the last joint step, with its scaling and direction */
-    int32_t old_scale[STAD_TUNE_DIMS];
+    int32_t old_slope[STAD_TUNE_DIMS]; /* at the last joint step, and its direction */
     int32_t old_move[STAD_TUNE_DIMS];
+    int64_t old_fall;            /* old_slope . its scaled steepest way, positive */
+    int32_t step;                /* probing distance, Q16 */
     int8_t side[STAD_TUNE_DIMS]; /* where to look first */
-    uint8_t has_old;
-    int8_t block_side;
+    uint8_t has_old;             /* the old_ fields hold */
 } tune_walk;
 
 /* Starts a descent at x. `reach`: the first probing distance, Q16 of a step. */

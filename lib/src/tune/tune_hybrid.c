@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT
+ * tune/tune_hybrid.c - a coarse random search, then the swept descent from the best it found. */
+#include "tune/tune_ncg.h"
+
+#include <string.h>
+
+/* xorshift32: the same numbers on every core. */
+static uint32_t next_random(uint32_t *state)
+{
+    uint32_t s = *state;
+    s ^= s << 13;
+    s ^= s >> 17;
+    s ^= s << 5;
+    return *state = s;
+}
+
+/* A number of lo..hi. */
+static int32_t between(uint32_t *state, int32_t lo, int32_t hi)
+{
+    const uint64_t span = (uint64_t)((int64_t)hi - lo) + 1;
+    return (int32_t)(lo + (int64_t)((next_random(state) * span) >> 32));
+}
+
+/* A random point: continuous axes uniform in their variable, discrete ones among their values. */
+static void random_point(const stad_tune *t, uint32_t *state, stad_point *x)
+{
+    stad_point lo, hi;
+    tune_vars v, from, to;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        lo.v[i] = t->config.axis[i].lo;
+        hi.v[i] = t->config.axis[i].hi;
+    }
+    stad_tune_to_vars(&t->config, &lo, &from);
+    stad_tune_to_vars(&t->config, &hi, &to);
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        v.v[i] = between(state, from.v[i], to.v[i]);
+    stad_tune_to_point(t, &v, x);
+}
+
+static void run(stad_tune *t)
+{
+    uint32_t state = t->config.seed ? t->config.seed : 1;
+    int32_t cost;
+    if (!stad_tune_look(t, &t->start, &cost))
+        return;
+    const int draws = t->config.budget / 4;
+    for (int k = 0; k < draws; k++) {
+        stad_point x;
+        random_point(t, &state, &x);
+        if (!stad_tune_look(t, &x, &cost))
+            return;
+    }
+    stad_tune_ncg_descents(t, t->cursor);
+}
+
+int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)
+{
+    return stad_tune_core_init(t, c, start, STAD_TUNE_HYBRID);
+}
+
+int stad_tune_hybrid_tell(stad_tune *t, int32_t cost_q20)
+{
+    const int status = stad_tune_core_record(t, cost_q20);
+    if (status != STAD_OK)
+        return status;
+    stad_tune_core_rewind(t);
+    run(t);
+    return STAD_OK;
+}
