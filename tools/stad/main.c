@@ -19,6 +19,7 @@ static const command commands[] = {
     {"plan", cmd_plan, "bytes of memory, by mode, plan and part"},
     {"bench", cmd_bench, "time per pixel and disparity"},
     {"scene", cmd_scene, "draws a stereo pair with exact truth"},
+    {"sheet", cmd_sheet, "the printable calibration target, PDF or SVG"},
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

@@ -11,6 +11,7 @@ int cmd_eval(int argc, char **argv);
 int cmd_tune(int argc, char **argv);
 int cmd_plan(int argc, char **argv);
 int cmd_scene(int argc, char **argv);
+int cmd_sheet(int argc, char **argv);
 int cmd_bench(int argc, char **argv);
 
 /* Prints a help text and says that all went well. */

@@ -4,6 +4,7 @@
  * Widths: shares are Q16 in 0..65536; deviations Q8, clipped before they are summed, so the sum stays below
  * threshold + clip < 2^16. */
 #include "stad/monitor.h"
+#include "base/log.h"
 
 void stad_monitor_defaults(stad_monitor_config *config)
 {
@@ -55,16 +56,6 @@ void stad_monitor_restart(stad_monitor *m)
     m->cooldown = 0;
 }
 
-/* Largest r with r * r <= v, for 0 <= v < 2^34: a standard deviation of shares is at most 2^16. */
-static int32_t root(int64_t v)
-{
-    int64_t r = 0;
-    for (int64_t bit = 65536; bit > 0; bit /= 2)
-        if ((r + bit) * (r + bit) <= v)
-            r += bit;
-    return (int32_t)r;
-}
-
 static void learn(stad_monitor *m)
 {
     int64_t n = m->config.learn_frames;
@@ -74,7 +65,7 @@ static void learn(stad_monitor *m)
         return;
     /* n * squares < 2^10 * 2^10 * 2^32; the difference is never negative (Cauchy-Schwarz, exact integers) */
     int64_t variance = (n * m->learn_sq - m->learn_sum * m->learn_sum) / (n * (n - 1));
-    int32_t sigma = root(variance);
+    int32_t sigma = (int32_t)stad_isqrt((uint64_t)variance); /* of a share: at most 2^16 */
     m->mean_q16 = (int32_t)((m->learn_sum + n / 2) / n);
     m->sigma_q16 = sigma > m->config.floor_q16 ? sigma : m->config.floor_q16;
 }
