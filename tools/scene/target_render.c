@@ -42,8 +42,7 @@ void target_camera_default(target_camera *c, int width, int height)
 
 stad_camera target_camera_fixed(const target_camera *c)
 {
-    const stad_camera fixed = {(int32_t)lround(c->f * 256), (int32_t)lround(c->cx * 256), (int32_t)lround(c->cy * 256),
-                               (int32_t)lround(c->baseline * 1000)};
+    const stad_camera fixed = {(int32_t)lround(c->f * 256), (int32_t)lround(c->cx * 256), (int32_t)lround(c->cy * 256)};
     return fixed;
 }
 

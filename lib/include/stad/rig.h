@@ -74,7 +74,8 @@ void stad_rig_straighten(const stad_rig *r, stad_pair *pairs, int n);
 void stad_rig_rows(const stad_rig *r, int y, int *first, int *last);
 
 /* Writes row y of the corrected right image: width * channels bytes. 4 taps each way at 16 phases (cubic), pixels outside
- * repeat the border. STAD_E_SIZE: the image is not the rig's size, or y is outside. */
+ * repeat the border. STAD_E_SIZE: the image is not the rig's size, or y is outside; STAD_E_PARAM: a shift above 64 px or a
+ * slope above 1/16. */
 int stad_rig_row(const stad_rig *r, const stad_image *right, int y, uint8_t *out_row);
 
 /* -- the same as a stream, for boards that see rows and no frame -------------------------------------------------------- */
@@ -91,7 +92,7 @@ typedef struct stad_rig_stream {
 
 /* Starts a frame. `work`: STAD_RIG_BYTES(width, channels, max_dy) bytes, the caller's, used until the frame is out.
  * STAD_E_LIMIT: the correction moves some row by more than max_dy px; STAD_E_SIZE: workspace; STAD_E_PARAM: channels not
- * 1 or 3, max_dy outside 0 .. 16. */
+ * 1 or 3, max_dy outside 0 .. 16, or as above. */
 int stad_rig_begin(stad_rig_stream *s, const stad_rig *r, int channels, int max_dy, void *work, size_t work_bytes);
 
 /* Hands in the next raw row, copied. STAD_AGAIN: pull first, not taken; STAD_E_STATE: all rows are in. */

@@ -48,11 +48,11 @@ const stad_target *stad_target_relief(void);
 /* A flat card of 120 x 72 mm with marks 4 and 5, to be held in front. Constant. */
 const stad_target *stad_target_card(void);
 
-/* A rectified pair of cameras: same focal length and principal point in both views. */
+/* A rectified pair of cameras: same focal length and principal point in both views. The baseline is not needed: the marks'
+ * distances in millimetres give the scale, so a sheet printed larger with parts cut by the same print does no harm. */
 typedef struct stad_camera {
     int32_t f_q8;         /* focal length, px */
     int32_t cx_q8, cy_q8; /* principal point, px from the centre of the first pixel */
-    int32_t baseline_um;  /* micrometres */
 } stad_camera;
 
 #ifdef __cplusplus

@@ -9,7 +9,7 @@
  * no image is kept.
  *
  * Three ways to fill it, after stad_truth_init():
- *   stad_truth_from_target()  a printed target with relief, from its table; needs the cameras' focal length and baseline
+ *   stad_truth_from_target()  a printed target with relief, from its table; needs the cameras' focal length
  *   stad_plane_fit() + stad_truth_add_plane()  any flat thing that carries marks; no calibration needed
  *   stad_truth_add_plane()    corners from elsewhere, a chessboard for example
  * A flat target alone misleads the tuning of the matcher: see docs/CALIBRATION.md before using the last two for it. */
@@ -46,10 +46,12 @@ typedef struct stad_box {
 /* Planes and masks that a truth can hold; the relief target takes 13. */
 #define STAD_TRUTH_LAYERS 16
 
+enum { STAD_TRUTH_PLANE = -1 };
+
 typedef struct stad_truth_layer {
     stad_plane plane;
     stad_polygon where;
-    int32_t is_mask;
+    int32_t mask_left; /* STAD_TRUTH_PLANE, or of a mask: px it reaches farther to the left */
 } stad_truth_layer;
 
 /* A truth, 1.4 KB. Declare it anywhere, fill it by the calls below; the fields are private. */
@@ -59,19 +61,21 @@ typedef struct stad_truth {
 } stad_truth;
 
 /* An empty truth for frames of width x height (16 .. 2048) and the matcher's range of disparities: columns in which the
- * matcher cannot search the whole range are never scored. `margin`: px, 0 .. 16, left out at the left and right edge of every
- * plane; 1 suits marks found by stad_mark_find(). STAD_E_PARAM: out of range. */
+ * matcher cannot search the whole range are never scored. `margin`: px, 0 .. 16, left out along the rim of
+ * every plane; 1 suits marks found by stad_mark_find(). STAD_E_PARAM: out of range. */
 int stad_truth_init(stad_truth *t, int width, int height, int min_disparity, int num_disparities, int margin);
 
 /* Adds a plane. STAD_E_LIMIT: STAD_TRUTH_LAYERS are in already; STAD_E_PARAM: fewer than 3 or more than STAD_POLYGON_MAX
  * corners, not convex, farther than 4096 px outside, or a slope or a disparity of the plane out of range. */
 int stad_truth_add_plane(stad_truth *t, const stad_plane *plane, const stad_polygon *where);
 
-/* Adds a mask: inside it nothing is scored of what was added BEFORE it. Planes added later lie on top. Same errors. */
-int stad_truth_add_mask(stad_truth *t, const stad_polygon *where);
+/* Adds a mask: inside it, and `left_px` (0 .. 2048) to the left of it, nothing is scored of what was added BEFORE it. Planes
+ * added later lie on top. The left part is for things whose own disparity is unknown: of a thing s px of disparity in front
+ * of a plane, the s px of the plane to the left of it are hidden from the right camera. Same errors. */
+int stad_truth_add_mask(stad_truth *t, const stad_polygon *where, int left_px);
 
 /* Row y: `width` truths in px * 65536 and labels (enum stad_label of stad/score.h: 0 not scored, 1 seen by both cameras,
- * 2 hidden from the right one). Where the label is 0 the truth is 0. STAD_E_SIZE: width is not that of the truth, or y is
+ * 2 hidden from the right one). Where the label is 0 the truth means nothing. STAD_E_SIZE: width is not that of the truth, or y is
  * outside. */
 int stad_truth_row(const stad_truth *t, int y, int width, int32_t *truth_q16_row, uint8_t *label_row);
 
@@ -82,8 +86,8 @@ stad_box stad_truth_box(const stad_truth *t);
 /* Moves a truth of the frame to a crop of it, the same box in both views. STAD_E_PARAM: the box is not within the frame. */
 int stad_truth_crop(stad_truth *t, const stad_box *box);
 
-/* Pixels that the planes cover, masks and hidden parts taken off by rows: an upper bound of what can be scored. A frame with
- * fewer than 2,000 at 320 x 240 (in proportion elsewhere) is not worth tuning on. */
+/* Pixels between the first and the last covered one of each row: an upper bound of what can be scored. A frame with fewer
+ * than 2,000 at 320 x 240 (in proportion elsewhere) is not worth tuning on. */
 int32_t stad_truth_pixels(const stad_truth *t);
 
 /* The numbers behind a fit. */
@@ -100,11 +104,11 @@ typedef struct stad_plane_report {
 int stad_plane_fit(stad_plane *plane, stad_plane_report *report, const stad_pair *pairs, int n);
 
 /* Adds all planes of a target to an initialised truth: the base from its marks in `pairs` (at least 2 of them; other
- * identities are ignored), each raised facet from the base plane, its height and the cameras, its walls masked.
+ * identities are ignored), each raised facet from the base plane, its height and the focal length, its walls masked.
  * A target without raised facets needs no cameras: pass NULL. Returns the number of planes added (facets seen from behind or
  * edge on are masked). STAD_E_NO_MARK: too few marks, marks that do not fit one plane, or fewer pixels than stad_truth_pixels()
  * asks for; STAD_E_PARAM: cameras missing or out of range; STAD_E_LIMIT: too many layers. After an error *t is undefined.
- * An error of 1 % in focal length or baseline is an error of 1 % in a facet's step above the base, not in its disparity. */
+ * The focal length matters through the sheet's tilt alone: it bends facets, not the base. */
 int stad_truth_from_target(stad_truth *t, const stad_target *target, const stad_pair *pairs, int n, const stad_camera *camera);
 
 #ifdef __cplusplus

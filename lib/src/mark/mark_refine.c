@@ -1,45 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * decode -> [mark/mark_refine.c] -> marks - moves each side onto the edge in the grey image.
  *
- * Along each side at most 64 normals; on each the image is sampled every half pixel, and the edge is where the gradient from
- * dark inside to light outside has its centre, weighted by its square. A line through these points, the ends left out, and
- * the corners are where the lines meet. Two passes, the second narrower: the first brings the window onto the edge. */
+ * Along each side at most 64 normals, a line through where they cross the edge, the ends left out; the corners are where the
+ * lines meet. Two passes, the second narrower: the first brings the window onto the edge. */
 #include "mark/mark_work.h"
 #include "mark/mark_line.h"
 
 #include "base/arith.h"
 
-enum { NORMALS = 64, REACH = 5 }; /* REACH: half pixels on each side of the edge */
-
-int32_t stad_mark_sample_q8(const mark_work *w, int32_t x_q8, int32_t y_q8)
-{
-    const int32_t x = clamp_i32(x_q8, 0, (w->width - 1) * 256), y = clamp_i32(y_q8, 0, (w->height - 1) * 256);
-    const int32_t x0 = x / 256, y0 = y / 256, fx = x % 256, fy = y % 256;
-    const uint8_t *p = w->pix + y0 * w->row_stride + x0 * w->pixel_stride;
-    const ptrdiff_t right = x0 + 1 < w->width ? w->pixel_stride : 0, below = y0 + 1 < w->height ? w->row_stride : 0;
-    const int32_t top = p[0] * (256 - fx) + p[right] * fx, bottom = p[below] * (256 - fx) + p[below + right] * fx;
-    return (top * (256 - fy) + bottom * fy) / 256;
-}
-
-/* Where on the normal (nx, ny) through a point the edge is, Q8 px outwards. 1, or 0 when there is none. */
-static int edge_offset_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int32_t ny_q14, int32_t reach, int32_t *offset)
-{
-    int32_t sample[2 * REACH + 3];
-    for (int32_t i = 0; i <= 2 * reach + 2; i++) {
-        const int32_t t_q8 = (i - reach - 1) * 128;
-        sample[i] = stad_mark_sample_q8(w, p.x_q8 + nx_q14 * t_q8 / 16384, p.y_q8 + ny_q14 * t_q8 / 16384) / 16;
-    }
-    int64_t weight = 0, sum = 0; /* gradients are Q4, below 2^12; 11 squares below 2^28 */
-    for (int32_t i = 1; i <= 2 * reach + 1; i++) {
-        const int32_t gradient = max_i32(sample[i + 1] - sample[i - 1], 0);
-        weight += gradient * gradient;
-        sum += (int64_t)gradient * gradient * (i - reach - 1) * 128;
-    }
-    if (weight < 16 * 16 * 16)
-        return 0;
-    *offset = (int32_t)(sum / weight);
-    return 1;
-}
+enum { NORMALS = 64 };
 
 /* The line along the edge from corner a to corner b. */
 static int refine_side(const mark_work *w, stad_corner a, stad_corner b, int32_t reach, mark_line *line)
@@ -55,7 +24,7 @@ static int refine_side(const mark_work *w, stad_corner a, stad_corner b, int32_t
         /* Less than 2^20 * 2^7 = 2^27. */
         const stad_corner p = {a.x_q8 + dx * (2 * i + 1) / (2 * count), a.y_q8 + dy * (2 * i + 1) / (2 * count)};
         int32_t offset_q8;
-        if (edge_offset_q8(w, p, uy_q14, -ux_q14, reach, &offset_q8))
+        if (stad_mark_edge_q8(w, p, uy_q14, -ux_q14, reach, &offset_q8))
             stad_mark_moments_add(&m, p.x_q8 + uy_q14 * offset_q8 / 16384, p.y_q8 - ux_q14 * offset_q8 / 16384);
     }
     return m.n * 2 >= count - 2 * skip && stad_mark_line_fit(&m, line);
@@ -75,5 +44,5 @@ static int refine_once(const mark_work *w, mark_quad *quad, int32_t reach)
 
 int stad_mark_refine(const mark_work *w, mark_quad *quad)
 {
-    return refine_once(w, quad, REACH) && refine_once(w, quad, REACH - 1);
+    return refine_once(w, quad, MARK_REACH) && refine_once(w, quad, MARK_REACH - 1);
 }

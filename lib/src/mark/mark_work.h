@@ -84,6 +84,13 @@ int stad_mark_decode(const mark_work *w, const mark_quad *quad, stad_mark *mark,
 /* Moves the corners onto the edges of the grey image. 1, or 0 when an edge is lost. */
 int stad_mark_refine(const mark_work *w, mark_quad *quad);
 
+/* Half pixels on each side of an edge that are looked at, at most. */
+enum { MARK_REACH = 5 };
+
+/* Where on the normal (nx, ny) through a point the edge is, Q8 px outwards, within `reach` half pixels. 1, or 0 when there is
+ * none. */
+int stad_mark_edge_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int32_t ny_q14, int32_t reach, int32_t *offset);
+
 /* The image at (x, y), bilinear, grey levels in Q8; outside it the border repeats. */
 int32_t stad_mark_sample_q8(const mark_work *w, int32_t x_q8, int32_t y_q8);
 

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT
+ * target, marks -> [truth/truth_target.c] -> layers - the base plane, and the raised parts from far to near. */
+#include "stad/truth.h"
+
+#include "base/arith.h"
+#include "truth/plane_fit.h"
+#include "truth/sheet_pose.h"
+#include "truth/truth_part.h"
+
+/* Disparity of the base under a part's first corner: how near it is. */
+static int32_t nearness(const sheet_pose *pose, const stad_target *target, int part)
+{
+    sheet_sight sight;
+    for (int f = 0; f < target->facet_count; f++) {
+        const stad_target_facet *facet = &target->facets[f];
+        if (facet->part == part && stad_sheet_see(pose, facet->x_mm[0], facet->y_mm[0], 0, &sight))
+            return sight.d_q16;
+    }
+    return 0;
+}
+
+/* The farthest part that is not among the `done`, a set of bits. */
+static int next_part(const sheet_pose *pose, const stad_target *target, uint32_t done)
+{
+    int best = -1;
+    int32_t least = INT32_MAX;
+    for (int part = 0; part < target->part_count; part++) {
+        const int32_t d = nearness(pose, target, part);
+        if (!(done >> part & 1u) && d < least) {
+            least = d;
+            best = part;
+        }
+    }
+    return best;
+}
+
+static int add_base(stad_truth *t, const sheet_pose *pose, const stad_target *target, const stad_plane *base)
+{
+    stad_polygon where;
+    sheet_sight sight;
+    where.count = 4;
+    for (int i = 0; i < 4; i++) {
+        if (!stad_sheet_see(pose, i == 1 || i == 2 ? target->width_mm : 0, i >= 2 ? target->height_mm : 0, 0, &sight))
+            return STAD_E_NO_MARK;
+        where.p[i] = sight.p;
+    }
+    return stad_truth_add_plane(t, base, &where);
+}
+
+/* Masks and facets of all parts. Returns the number of facets added, or a status. */
+static int add_parts(stad_truth *t, const sheet_pose *pose, const stad_target *target)
+{
+    int added = 0;
+    uint32_t done = 0;
+    for (int part = next_part(pose, target, done); part >= 0; part = next_part(pose, target, done)) {
+        done |= 1u << part;
+        int status = stad_truth_add_outline(t, pose, target, part);
+        for (int f = 0; f < target->facet_count && status >= 0; f++)
+            if (target->facets[f].part == part) {
+                status = stad_truth_add_facet(t, pose, &target->facets[f]);
+                added += status > 0;
+            }
+        if (status < 0)
+            return status;
+    }
+    return added;
+}
+
+static int camera_ok(const stad_camera *c)
+{
+    const int32_t most = 1 << 20;
+    return c->f_q8 >= 16 * 256 && c->f_q8 < most && abs_i32(c->cx_q8) < most && abs_i32(c->cy_q8) < most;
+}
+
+int stad_truth_from_target(stad_truth *t, const stad_target *target, const stad_pair *pairs, int n, const stad_camera *camera)
+{
+    /* Points of the base alone come out the same with any camera. */
+    const stad_camera any = {t->width * 256, t->width * 128, t->height * 128};
+    stad_plane base;
+    stad_plane_report report;
+    sheet_pose pose;
+    uint32_t ids = 0;
+    if ((camera ? !camera_ok(camera) : target->facet_count > 0) || target->part_count > 32)
+        return STAD_E_PARAM;
+    for (int i = 0; i < target->tag_count; i++)
+        ids |= 1u << (target->tags[i].id & 31);
+    const int fit = stad_plane_fit_ids(&base, &report, pairs, n, ids);
+    if (fit < 0)
+        return fit;
+    if (report.dropped >= 0)
+        ids &= ~(1u << (report.dropped & 31));
+    if (!stad_sheet_pose(&pose, target, camera ? camera : &any, &base, pairs, n, ids))
+        return STAD_E_NO_MARK;
+    const int status = add_base(t, &pose, target, &base);
+    const int added = status < 0 ? status : add_parts(t, &pose, target);
+    if (added < 0)
+        return added;
+    return stad_truth_pixels(t) < t->width * t->height / 192 * 5 ? STAD_E_NO_MARK : added + 1;
+}
