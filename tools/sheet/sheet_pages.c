@@ -218,7 +218,7 @@ static const char *const guide[] = {
     "6. Mount it upright or lying, with all four marks in sight of both cameras, at the distance where the marks are 24 to 48 pixels wide in",
     "   the image and the whole sheet covers 10 to 20 % of it. Leaning it back by 10 to 30 degrees is good. Even light, no shadow edges.",
     "7. For judging, the loop needs the target in a second pose: a move by a tenth of its width or a turn by ten degrees is enough.",
-    "8. Tell the library the focal length (px) and the baseline of the rectified pair: the raised parts' truth comes from these and the heights.",
+    "8. Tell the library the focal length (px) and the principal point of the rectified pair: they bend the truth of the raised parts when the sheet leans.",
 };
 
 static void draw_table(const stad_target *t, const sheet_pen *pen, double x, double y)

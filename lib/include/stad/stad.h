@@ -3,6 +3,7 @@
 #ifndef STAD_STAD_H
 #define STAD_STAD_H
 
+#include "stad/calib.h"
 #include "stad/config.h"
 #include "stad/cost.h"
 #include "stad/image.h"

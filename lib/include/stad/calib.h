@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: MIT
+ * stad/calib.h - the loop: frames with marks -> rig -> truth -> preset, tune -> better on another pose? -> adopt, store, watch.
+ *
+ * The application drives. stad_calib_want() says what is needed next; the application does it when it has the time, and reports; no call
+ * blocks, calls back or does more than one frame's work:
+ *
+ *     stad_calib_counts(&c, stad_match_counts_of(&m));                 every live frame
+ *     switch (stad_calib_want(&c, &r)) {
+ *     case STAD_WANT_NOTHING: break;
+ *     case STAD_WANT_FRAME:   if (stad_calib_frame(&c, &left, &right, work, bytes) == 1)
+ *                                 keep both frames in buffer r.hold until the run is over; break;
+ *     case STAD_WANT_MATCH:   cost = stad_calib_evaluate(&c, &r, &evaluator, &held_left[r.hold], &held_right[r.hold], work, bytes);
+ *                             stad_calib_cost(&c, cost); break;
+ *     case STAD_WANT_SAVE:    stad_calib_saved(&c, stad_store_save(&flash, stad_calib_setup(&c))); break;
+ *     }
+ *
+ * A run:   look for marks (alarm, schedule or stad_calib_start) -> tuning frame -> a frame of another pose to judge by -> correction
+ * confirmed on a fresh frame, if the rig needs one -> the target picks a preset -> ncg from there -> the judge decides ->
+ * save -> probation: live frames, then both sets on one more frame with marks -> done, or rolled back.
+ *
+ * Nothing is adopted that did not hold on a frame it was not made from. The set in use (stad_calib_setup) changes at two points only:
+ * when the decision is made, just before SAVE is asked for, and when it is rolled back.
+ *
+ * Memory: one struct of about 11 KB, the workspace of the caller, and two held frame pairs (at least the crop r.box of them). After a
+ * reset call stad_calib_init() with the setup that stad_store_load() found: a run that was under way starts over. A struct
+ * that survived the reset in retained memory together with the held frames goes on where it was: it holds no pointer but
+ * config.target, a constant table.
+ *
+ * Why each step is as it is: docs/CALIBRATION.md. Not re-entrant on one struct. */
+#ifndef STAD_CALIB_H
+#define STAD_CALIB_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "stad/image.h"
+#include "stad/mark.h"
+#include "stad/match.h"
+#include "stad/monitor.h"
+#include "stad/params.h"
+#include "stad/rig.h"
+#include "stad/score.h"
+#include "stad/store.h"
+#include "stad/truth.h"
+#include "stad/tune.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* -- what is asked for ------------------------------------------------------------------------------------------------- */
+
+enum stad_want {
+    STAD_WANT_NOTHING = 0,
+    STAD_WANT_FRAME = 1, /* a fresh raw pair -> stad_calib_frame() */
+    STAD_WANT_MATCH = 2, /* the cost of `params` on the crop `box` of held pair `hold` -> stad_calib_cost() */
+    STAD_WANT_SAVE = 3   /* stad_calib_setup() to be stored -> stad_calib_saved() */
+};
+
+typedef struct stad_request {
+    uint8_t want; /* enum stad_want */
+    uint8_t hold; /* FRAME: the buffer (0, 1) that the pair goes to if it is kept; MATCH: the buffer to match */
+    stad_box box; /* MATCH: the same box of the left and of the corrected right frame */
+    stad_params params; /* MATCH */
+    stad_rig rig;       /* MATCH: the correction to apply to the right frame first; the identity = none */
+} stad_request;
+
+/* -- what it is told to do ---------------------------------------------------------------------------------------------- */
+
+enum stad_rule {
+    STAD_RULE_DEFAULT = 0, /* tuned: better on the other pose by the margin; a preset: not worse there */
+    STAD_RULE_STRICT = 1,  /* the whole change, preset included, better on the other pose by the margin */
+    STAD_RULE_NONE = 2     /* whatever was best on the tuning frame: for studies */
+};
+
+#define STAD_PRESETS 7
+
+typedef struct stad_calib_config {
+    stad_geometry geometry;    /* of the live matcher: no set is asked for that would not fit it */
+    const stad_target *target; /* stad_target_relief(), or a constant table of your own */
+    stad_camera camera;
+    stad_monitor_config monitor;
+    uint32_t ids;             /* bit i: mark i may be used; default all of the target's */
+    int16_t margin_px;        /* stad_truth_init()'s; default 1 */
+    int16_t pose_px;          /* mean move of the corners that makes another pose; default 6 */
+    int16_t patience;         /* frames in vain before a run is given up; default 60 */
+    int16_t probation_frames; /* live frames after adoption before the second look; default 64; 0 = none */
+    int16_t budget;           /* evaluations a run, picks and judgements included; 4..200, default 70 */
+    int16_t min_block_size;   /* smallest block that is tried; default 3 */
+    int32_t threshold_q16;    /* error that counts as wrong; default 1 px */
+    int32_t penalty_q16;      /* lambda: per squared octave from the start; default .01 */
+    int32_t gain_q20;         /* smallest gain the judge must see; default 2 points of 100 */
+    uint8_t cost;             /* enum stad_score_cost: STAD_SCORE_BAD (default) or STAD_SCORE_CHOW */
+    uint8_t rule;             /* enum stad_rule */
+    uint8_t preset_mask;      /* bit i: preset i may be picked; default all */
+    uint8_t tunes;            /* 0: only pick among the presets; default 1 */
+    uint8_t still;            /* 1: identical frames in a row are no fault (recordings without noise); default 0 */
+} stad_calib_config;
+
+/* -- what it says --------------------------------------------------------------------------------------------------------- */
+
+enum stad_calib_phase {
+    STAD_CALIB_IDLE = 0,
+    STAD_CALIB_LOOK = 1,      /* for marks: the tuning frame */
+    STAD_CALIB_OTHER = 2,     /* for the target in another pose */
+    STAD_CALIB_CONFIRM = 3,   /* the correction, on a fresh frame */
+    STAD_CALIB_PICK = 4,      /* presets on the tuning frame */
+    STAD_CALIB_TUNE = 5,
+    STAD_CALIB_JUDGE = 6,     /* on the other pose */
+    STAD_CALIB_SAVE = 7,
+    STAD_CALIB_PROBATION = 8, /* live frames */
+    STAD_CALIB_RECHECK = 9,   /* a frame with marks to compare new and old */
+    STAD_CALIB_COMPARE = 10
+};
+
+/* How the last run ended. */
+enum stad_calib_outcome {
+    STAD_CALIB_NONE = 0,        /* no run yet, or one is under way */
+    STAD_CALIB_SOUND = 1,       /* a scheduled look found the rig good: nothing to do */
+    STAD_CALIB_ADOPTED = 2,     /* parameters, and the correction if there was one */
+    STAD_CALIB_CORRECTED = 3,   /* the correction only */
+    STAD_CALIB_KEPT = 4,        /* nothing held on the other pose: what was in use stays */
+    STAD_CALIB_ROLLED_BACK = 5, /* adopted, then worse on probation */
+    STAD_CALIB_NO_MARKS = 6,    /* patience ran out looking for marks */
+    STAD_CALIB_NO_POSE = 7,     /* patience ran out looking for another pose */
+    STAD_CALIB_RIG_FAILED = 8,  /* the rig needs a full calibration, or its correction was not confirmed */
+    STAD_CALIB_FAULT = 9,       /* patience ran out on camera faults */
+    STAD_CALIB_CANCELLED = 10
+};
+
+/* What was wrong with the last frame. */
+enum stad_calib_fault {
+    STAD_FAULT_NONE = 0,
+    STAD_FAULT_LATE = 1,      /* no frame came */
+    STAD_FAULT_BLACK = 2,     /* a view without light */
+    STAD_FAULT_SATURATED = 3, /* a view more than half white */
+    STAD_FAULT_FLAT = 4,      /* a view without content: a dead camera */
+    STAD_FAULT_FROZEN = 5,    /* a view identical to the one before */
+    STAD_FAULT_SWAPPED = 6,   /* the marks are on the wrong side: left and right exchanged */
+    STAD_FAULT_MARKS = 7,     /* too few marks, or marks that do not fit one sheet (a torn frame, a bent sheet) */
+    STAD_FAULT_RANGE = 8,     /* the target is nearer or farther than the matcher searches */
+    STAD_FAULT_RIG = 9,       /* rows do not agree and no small correction makes them */
+    STAD_FAULT_SIZE = 10      /* not the geometry's size */
+};
+
+typedef struct stad_calib_report {
+    uint8_t phase;          /* enum stad_calib_phase */
+    uint8_t outcome;        /* enum stad_calib_outcome */
+    uint8_t fault;          /* enum stad_calib_fault */
+    uint8_t alarmed;        /* 1: the monitor has asked and no run has ended well since */
+    uint8_t verdict_before; /* enum stad_rig_verdict with the correction in use when the run began */
+    uint8_t verdict_after;  /* with the correction of this run, on a fresh frame */
+    int8_t preset;          /* picked by the target, -1 = none */
+    int8_t tuned;           /* 1: the chosen set came from tuning, 0: from the ladder or it is the old one */
+    int8_t save_status;     /* of the last save */
+    int16_t evaluations;    /* of this run */
+    int32_t tune_before_q20, tune_after_q20;   /* cost on the tuning frame: set in use, set chosen */
+    int32_t judge_before_q20, judge_after_q20; /* cost on the other pose */
+    stad_rig_report rig;                       /* of the last fit */
+} stad_calib_report;
+
+/* -- state ----------------------------------------------------------------------------------------------------------------- */
+
+#define STAD_CALIB_PAIRS 8
+
+/* A frame that is held by the application, as far as calib remembers it. */
+typedef struct stad_calib_pose {
+    stad_pair pairs[STAD_CALIB_PAIRS]; /* raw */
+    int32_t count;
+    stad_truth truth; /* of the crop, after correction */
+    stad_box box;
+} stad_calib_pose;
+
+/* What the health check remembers of a view. */
+typedef struct stad_calib_view {
+    uint32_t hash;
+    int32_t seen;
+} stad_calib_view;
+
+/* Private; read it through the calls. */
+typedef struct stad_calib {
+    stad_calib_config config;
+    stad_monitor monitor;
+    stad_setup active, previous, candidate;
+    stad_calib_pose pose[2];
+    stad_calib_view view[2];
+    stad_calib_report report;
+    stad_tune tune;
+    stad_point pick, tuned;      /* the picked preset (or the set in use), the tuner's best */
+    int32_t pick_q20, tuned_q20; /* their costs on the tuning frame */
+    int32_t judged_q20[3];       /* on the other pose: the set in use, the pick, the tuned one */
+    int32_t compared_q20;        /* on probation: the new set's cost */
+    int16_t step;                /* within a phase */
+    int16_t vain;                /* frames without use */
+    int16_t trial_frames;        /* live frames of the probation */
+    uint8_t scheduled;           /* the run was begun by the schedule: one frame, then leave it */
+    uint8_t alarmed_on_trial;
+} stad_calib;
+
+/* Defaults for a matcher of that geometry and a target; the camera is the caller's to give. */
+void stad_calib_config_default(stad_calib_config *c, const stad_geometry *geometry, const stad_target *target,
+                               const stad_camera *camera);
+
+/* Starts with `setup`, what stad_store_load() found, in use. STAD_E_PARAM: config or setup out of range, or not of one
+ * geometry. The setup's own min_disparity, num_disparities and speckle parameters are never changed. */
+int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_setup *setup);
+
+/* One live frame's counters, matched with the setup in use. Returns the monitor's answer. */
+int stad_calib_counts(stad_calib *c, const stad_match_counts *counts);
+
+/* Begins a run now, whatever the monitor says. STAD_E_STATE: one is under way. */
+int stad_calib_start(stad_calib *c);
+
+/* Ends a run; what is in use stays. */
+void stad_calib_cancel(stad_calib *c);
+
+/* What is wanted next: enum stad_want, also in r->want. Asking twice is harmless. */
+int stad_calib_want(const stad_calib *c, stad_request *r);
+
+/* Workspace of stad_calib_frame(). */
+#define STAD_CALIB_FRAME_BYTES(width, height) (STAD_MARK_BYTES(width, height) + STAD_CALIB_SCRATCH)
+#define STAD_CALIB_SCRATCH 3072u /* marks and pairs of one frame, and the pairs of two */
+size_t stad_calib_frame_bytes(int32_t width, int32_t height);
+
+/* A fresh raw pair. `left` or `right` NULL: it did not come in time. Returns 1: hold the pair in buffer r.hold; 0: used up or
+ * not needed, go on; a negative status: of no use, report.fault says why, and a frame of patience is gone. STAD_E_STATE: no
+ * frame was wanted; STAD_E_SIZE: the workspace. */
+int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work, size_t work_bytes);
+
+/* One row of truth and labels of the crop that a MATCH request is about, for a firmware that matches and scores by itself. y counts
+ * from the top of the crop; arrays of box.width. */
+int stad_calib_truth_row(const stad_calib *c, const stad_request *r, int y, int32_t *truth_q16_row, uint8_t *label_row);
+
+/* The score config to go with it. */
+void stad_calib_score_config(const stad_calib *c, const stad_request *r, stad_score_config *s);
+
+/* The cost that MATCH asked for; STAD_COST_FAILED when it could not be had. STAD_E_STATE: none was asked for. */
+int stad_calib_cost(stad_calib *c, int32_t cost_q20);
+
+/* How the save ended: a status; negative means that it will be asked for once more, then given up (the set stays in use). */
+int stad_calib_saved(stad_calib *c, int status);
+
+/* What to run the live matcher with, and what to store. Valid until the next call that changes *c. */
+const stad_setup *stad_calib_setup(const stad_calib *c);
+
+/* Where it stands. */
+const stad_calib_report *stad_calib_report_of(const stad_calib *c);
+
+/* -- presets: where a run starts, by the regime the camera is in ----------------------------------------------------------- */
+
+/* Preset i, 0..STAD_PRESETS - 1, as a tuner's point for images of that many channels, and its name. STAD_E_PARAM past the end. */
+int stad_calib_preset(int i, int channels, stad_point *point, const char **name);
+
+/* -- the one evaluation, done for you ---------------------------------------------------------------------------------------- */
+
+typedef struct stad_evaluator {
+    stad_match match;
+    stad_score score;
+} stad_evaluator;
+
+/* Workspace: the live matcher's (its geometry), and STAD_CALIB_ROWS_BYTES() for five rows. Aligned to STAD_ALIGN. */
+#define STAD_CALIB_ROWS_BYTES(width, channels) \
+    (((size_t)(width) * (7u + 2u * (size_t)(channels)) + STAD_ALIGN - 1u) / STAD_ALIGN * STAD_ALIGN)
+size_t stad_calib_evaluate_bytes(const stad_geometry *geometry);
+
+/* Matches the crop of a MATCH request on a held raw pair and scores it against the truth: the cost, or STAD_COST_FAILED. */
+int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e, const stad_image *left,
+                            const stad_image *right, void *work, size_t work_bytes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT
+ * calib/calib_parts.h - what the files of calib/ share. The pump's phases are in stad/calib.h. */
+#ifndef STAD_CALIB_PARTS_H
+#define STAD_CALIB_PARTS_H
+
+#include "stad/calib.h"
+
+/* -- health.c: can this view be used at all? Remembers its hash. Returns enum stad_calib_fault. */
+int stad_calib_view_fault(stad_calib_view *view, const stad_image *image, int may_be_still);
+
+/* -- points.c: parameters as the tuner's points */
+stad_point stad_calib_point_of(const stad_params *params);
+stad_params stad_calib_params_at(const stad_params *base, const stad_point *point);
+int stad_calib_point_equal(const stad_point *a, const stad_point *b);
+int stad_calib_fits(const stad_geometry *g, const stad_params *params); /* 1: the live matcher would take them */
+void stad_calib_tune_config(const stad_calib *c, int budget, stad_tune_config *out);
+
+/* -- rule.c: costs into decisions */
+int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20, int32_t lambda_q16);
+int32_t stad_calib_margin(int32_t cost_q20, int32_t pixels, int32_t least_q20);
+int stad_calib_is_better(int32_t now_q20, int32_t was_q20, int32_t margin_q20); /* now + margin <= was; a failure never is */
+
+/* -- trial.c: the phases that ask for matches */
+void stad_calib_trial_begin(stad_calib *c);                          /* enters PICK */
+void stad_calib_trial_point(const stad_calib *c, stad_point *point); /* what the open MATCH is about */
+int stad_calib_trial_hold(const stad_calib *c);
+void stad_calib_trial_cost(stad_calib *c, int32_t cost_q20);
+
+/* -- calib.c: how phases end */
+void stad_calib_enter(stad_calib *c, int phase);
+void stad_calib_finish(stad_calib *c, int outcome);
+void stad_calib_adopt(stad_calib *c); /* candidate becomes active; asks for the save */
+void stad_calib_roll_back(stad_calib *c);
+
+#endif

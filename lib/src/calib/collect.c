@@ -1,0 +1,337 @@
+/* SPDX-License-Identifier: MIT
+ * frames -> marks -> rig -> [COLLECT] -> truth -> trial        calib/collect.c - what a raw frame is good for, by phase
+ *
+ * Pairs are kept as found in the raw frames: a correction is always fitted on raw corners, and truth always made from
+ * straightened ones. */
+#include "calib/calib_parts.h"
+
+#include <string.h>
+
+#define MARKS 16
+
+/* What a frame's marks need while they are looked at; lies at the front of the caller's workspace. */
+typedef struct scratch {
+    stad_mark left[MARKS], right[MARKS];
+    stad_pair pairs[2 * STAD_CALIB_PAIRS]; /* of this frame, then room for those of another */
+    int32_t count;
+} scratch;
+
+typedef char scratch_fits[sizeof(scratch) <= STAD_CALIB_SCRATCH && STAD_CALIB_SCRATCH % STAD_ALIGN == 0 ? 1 : -1];
+
+size_t stad_calib_frame_bytes(int32_t width, int32_t height)
+{
+    size_t marks = stad_mark_bytes(width, height);
+    return marks > 0 ? marks + STAD_CALIB_SCRATCH : 0;
+}
+
+/* -- seeing: from pixels to pairs ------------------------------------------------------------------------------------------ */
+
+static int size_fits(const stad_calib *c, const stad_image *image)
+{
+    return image->width == c->config.geometry.width && image->height == c->config.geometry.height;
+}
+
+/* Both views are hashed even if the first is at fault, so that the next frame is compared with this one. */
+static int views_fault(stad_calib *c, const stad_image *left, const stad_image *right)
+{
+    int first = stad_calib_view_fault(&c->view[0], left, c->config.still);
+    int second = stad_calib_view_fault(&c->view[1], right, c->config.still);
+    return first != STAD_FAULT_NONE ? first : second;
+}
+
+static int pairs_are_swapped(const stad_pair *pairs, int count, int min_disparity)
+{
+    int behind = 0;
+    for (int i = 0; i < count; i++)
+        behind += pairs[i].left[0].x_q8 - pairs[i].right[0].x_q8 < 256 * (min_disparity - 1);
+    return 2 * behind > count;
+}
+
+static int find_pairs(stad_calib *c, const stad_image *left, const stad_image *right, scratch *s, size_t work_bytes)
+{
+    uint8_t *work = (uint8_t *)s + STAD_CALIB_SCRATCH;
+    size_t bytes = work_bytes - STAD_CALIB_SCRATCH;
+    stad_mark_config config;
+    stad_mark_config_default(&config);
+    config.ids = c->config.ids;
+    int nl = stad_mark_find(left, &config, s->left, MARKS, work, bytes);
+    int nr = stad_mark_find(right, &config, s->right, MARKS, work, bytes);
+    if (nl < 0 || nr < 0)
+        return STAD_FAULT_SIZE;
+    s->count = stad_mark_pair(s->left, nl, s->right, nr, s->pairs, STAD_CALIB_PAIRS);
+    if (s->count < 2)
+        return STAD_FAULT_MARKS;
+    if (pairs_are_swapped(s->pairs, s->count, c->active.params.min_disparity))
+        return STAD_FAULT_SWAPPED;
+    return STAD_FAULT_NONE;
+}
+
+static int see(stad_calib *c, const stad_image *left, const stad_image *right, scratch *s, size_t work_bytes)
+{
+    if (!left || !right)
+        return STAD_FAULT_LATE;
+    if (!size_fits(c, left) || !size_fits(c, right))
+        return STAD_FAULT_SIZE;
+    int fault = views_fault(c, left, right);
+    return fault != STAD_FAULT_NONE ? fault : find_pairs(c, left, right, s, work_bytes);
+}
+
+/* -- the rig ------------------------------------------------------------------------------------------------------------------- */
+
+/* What is left of the rows' disagreement with a correction applied; s->pairs holds `count` raw pairs and room for as many. */
+static int verdict_with(const stad_rig *rig, scratch *s, int count, stad_rig_report *report)
+{
+    stad_rig rest;
+    stad_pair *copy = s->pairs + STAD_CALIB_PAIRS;
+    memcpy(copy, s->pairs, (size_t)count * sizeof *copy);
+    stad_rig_straighten(rig, copy, count);
+    return stad_rig_fit(&rest, report, copy, count, rig->width, rig->height);
+}
+
+static void set_rig(stad_calib *c, const stad_rig *rig)
+{
+    c->candidate.rig = *rig;
+    c->candidate.corrected = rig->a_q16 != 0 || rig->b_q24 != 0 || rig->c_q24 != 0;
+}
+
+/* A sound rig is left alone; else the candidate gets what a fit on the raw pairs of the frames so far advises. */
+static int choose_correction(stad_calib *c, const stad_pair *pairs, int count)
+{
+    stad_rig rig;
+    const stad_geometry *g = &c->config.geometry;
+    c->candidate.rig = c->active.rig;
+    c->candidate.corrected = c->active.corrected;
+    if (c->report.verdict_before == STAD_RIG_GOOD)
+        return STAD_FAULT_NONE;
+    int verdict = stad_rig_fit(&rig, &c->report.rig, pairs, count, g->width, g->height);
+    if (verdict < 0 || verdict == STAD_RIG_FAIL)
+        return STAD_FAULT_RIG;
+    if (verdict == STAD_RIG_GOOD)
+        stad_rig_identity(&rig, g->width, g->height);
+    if (verdict == STAD_RIG_GOOD || c->report.rig.advised)
+        set_rig(c, &rig);
+    return STAD_FAULT_NONE;
+}
+
+static int rig_is_new(const stad_calib *c)
+{
+    return memcmp(&c->candidate.rig, &c->active.rig, sizeof c->active.rig) != 0;
+}
+
+/* -- truth --------------------------------------------------------------------------------------------------------------------- */
+
+/* Marks beyond what the matcher searches, the corners of every pair. */
+static int out_of_range(const stad_params *p, const stad_pair *pairs, int count)
+{
+    int32_t low = 256 * p->min_disparity, high = 256 * (p->min_disparity + p->num_disparities - 1);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 4; k++) {
+            int32_t d = pairs[i].left[k].x_q8 - pairs[i].right[k].x_q8;
+            if (d < low || d > high)
+                return 1;
+        }
+    return 0;
+}
+
+static int make_truth(const stad_calib *c, stad_calib_pose *pose, const stad_rig *rig, stad_pair *straight)
+{
+    const stad_params *p = &c->active.params;
+    const stad_geometry *g = &c->config.geometry;
+    memcpy(straight, pose->pairs, (size_t)pose->count * sizeof *straight);
+    stad_rig_straighten(rig, straight, pose->count);
+    if (out_of_range(p, straight, pose->count))
+        return STAD_FAULT_RANGE;
+    if (stad_truth_init(&pose->truth, g->width, g->height, p->min_disparity, p->num_disparities, c->config.margin_px) != STAD_OK)
+        return STAD_FAULT_MARKS;
+    if (stad_truth_from_target(&pose->truth, c->config.target, straight, pose->count, &c->config.camera) < 0)
+        return STAD_FAULT_MARKS;
+    pose->box = stad_truth_box(&pose->truth);
+    if (pose->box.width <= 0 || stad_truth_crop(&pose->truth, &pose->box) != STAD_OK)
+        return STAD_FAULT_MARKS;
+    return STAD_FAULT_NONE;
+}
+
+static int keep_pose(stad_calib *c, int which, const stad_rig *rig, scratch *s)
+{
+    stad_calib_pose *pose = &c->pose[which];
+    memcpy(pose->pairs, s->pairs, (size_t)s->count * sizeof *s->pairs);
+    pose->count = s->count;
+    return make_truth(c, pose, rig, s->pairs + STAD_CALIB_PAIRS);
+}
+
+/* -- the phases ------------------------------------------------------------------------------------------------------------------ */
+
+static int look(stad_calib *c, scratch *s)
+{
+    stad_rig_report rest;
+    c->report.verdict_before = (uint8_t)verdict_with(&c->active.rig, s, s->count, &rest);
+    c->report.verdict_after = c->report.verdict_before;
+    c->report.rig = rest;
+    if (c->report.verdict_before == STAD_RIG_GOOD && c->scheduled && !c->report.alarmed) {
+        stad_calib_finish(c, STAD_CALIB_SOUND);
+        return STAD_FAULT_NONE;
+    }
+    int fault = choose_correction(c, s->pairs, s->count);
+    if (fault == STAD_FAULT_NONE)
+        fault = keep_pose(c, 0, &c->candidate.rig, s);
+    if (fault == STAD_FAULT_NONE)
+        stad_calib_enter(c, STAD_CALIB_OTHER);
+    return fault;
+}
+
+static int32_t distance_q8(stad_corner a, stad_corner b)
+{
+    int32_t dx = a.x_q8 - b.x_q8, dy = a.y_q8 - b.y_q8;
+    dx = dx < 0 ? -dx : dx;
+    dy = dy < 0 ? -dy : dy;
+    return dx > dy ? dx : dy;
+}
+
+/* Mean move of the corners that both frames show, in the left view; a frame that shares no mark is another pose for certain. */
+static int is_another_pose(const stad_calib *c, const scratch *s)
+{
+    const stad_calib_pose *was = &c->pose[0];
+    int32_t sum = 0, n = 0;
+    for (int i = 0; i < s->count; i++)
+        for (int j = 0; j < was->count; j++)
+            for (int k = 0; k < 4 && s->pairs[i].id == was->pairs[j].id; k++, n++)
+                sum += distance_q8(s->pairs[i].left[k], was->pairs[j].left[k]);
+    return sum >= 256 * c->config.pose_px * n;
+}
+
+/* The correction once more, from the corners of both frames, and both truths with it. */
+static int other(stad_calib *c, scratch *s)
+{
+    stad_calib_pose *first = &c->pose[0];
+    memcpy(s->pairs + s->count, first->pairs, (size_t)first->count * sizeof *first->pairs);
+    int fault = choose_correction(c, s->pairs, s->count + first->count);
+    if (fault == STAD_FAULT_NONE)
+        fault = keep_pose(c, 1, &c->candidate.rig, s);
+    if (fault == STAD_FAULT_NONE)
+        fault = make_truth(c, first, &c->candidate.rig, s->pairs + STAD_CALIB_PAIRS);
+    if (fault != STAD_FAULT_NONE)
+        return fault;
+    if (rig_is_new(c))
+        stad_calib_enter(c, STAD_CALIB_CONFIRM);
+    else
+        stad_calib_trial_begin(c);
+    return fault;
+}
+
+static int confirm(stad_calib *c, scratch *s)
+{
+    stad_rig_report rest;
+    int verdict = verdict_with(&c->candidate.rig, s, s->count, &rest);
+    if (verdict < 0 || verdict > STAD_RIG_WATCH || verdict >= c->report.verdict_before)
+        return STAD_FAULT_RIG;
+    c->report.verdict_after = (uint8_t)verdict;
+    if (c->step == 0) {
+        stad_calib_trial_begin(c);
+        return STAD_FAULT_NONE;
+    }
+    c->candidate.params = c->active.params; /* no other pose to judge parameters by */
+    stad_calib_adopt(c);
+    return STAD_FAULT_NONE;
+}
+
+static int recheck(stad_calib *c, scratch *s)
+{
+    stad_rig_report now, was;
+    int with_new = verdict_with(&c->active.rig, s, s->count, &now);
+    int with_old = verdict_with(&c->previous.rig, s, s->count, &was);
+    if (with_new > with_old) {
+        stad_calib_roll_back(c);
+        return STAD_FAULT_NONE;
+    }
+    int fault = keep_pose(c, 0, &c->active.rig, s);
+    if (fault == STAD_FAULT_NONE)
+        stad_calib_enter(c, STAD_CALIB_COMPARE);
+    return fault;
+}
+
+/* 1: hold the frame; 0: not; the fault in *fault. */
+static int use(stad_calib *c, scratch *s, int *fault)
+{
+    switch (c->report.phase) {
+    case STAD_CALIB_LOOK:
+        *fault = look(c, s);
+        return *fault == STAD_FAULT_NONE && c->report.phase == STAD_CALIB_OTHER;
+    case STAD_CALIB_OTHER:
+        if (!is_another_pose(c, s))
+            return 0;
+        *fault = other(c, s);
+        return *fault == STAD_FAULT_NONE;
+    case STAD_CALIB_CONFIRM:
+        *fault = confirm(c, s);
+        return 0;
+    default:
+        *fault = recheck(c, s);
+        return *fault == STAD_FAULT_NONE && c->report.phase == STAD_CALIB_COMPARE;
+    }
+}
+
+static int give_up_outcome(const stad_calib *c)
+{
+    switch (c->report.fault) {
+    case STAD_FAULT_MARKS:
+    case STAD_FAULT_RANGE:
+        return STAD_CALIB_NO_MARKS;
+    case STAD_FAULT_RIG:
+        return STAD_CALIB_RIG_FAILED;
+    default:
+        return STAD_CALIB_FAULT;
+    }
+}
+
+/* Patience has run out: keep what is proven so far. */
+static void give_up(stad_calib *c)
+{
+    int phase = c->report.phase;
+    if (phase == STAD_CALIB_OTHER && rig_is_new(c)) {
+        stad_calib_enter(c, STAD_CALIB_CONFIRM);
+        c->step = 1;
+    } else if (phase == STAD_CALIB_OTHER) {
+        stad_calib_finish(c, STAD_CALIB_NO_POSE);
+    } else if (phase == STAD_CALIB_CONFIRM) {
+        stad_calib_finish(c, STAD_CALIB_RIG_FAILED);
+    } else if (phase == STAD_CALIB_RECHECK && c->alarmed_on_trial) {
+        stad_calib_roll_back(c);
+    } else if (phase == STAD_CALIB_RECHECK) {
+        stad_calib_finish(c, STAD_CALIB_ADOPTED);
+    } else {
+        stad_calib_finish(c, give_up_outcome(c));
+    }
+}
+
+static int status_of(int fault)
+{
+    if (fault == STAD_FAULT_MARKS || fault == STAD_FAULT_RANGE)
+        return STAD_E_NO_MARK;
+    if (fault == STAD_FAULT_RIG)
+        return STAD_E_RIG;
+    if (fault == STAD_FAULT_LATE)
+        return STAD_AGAIN;
+    return fault == STAD_FAULT_SIZE ? STAD_E_SIZE : STAD_E_CORRUPT;
+}
+
+int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work, size_t work_bytes)
+{
+    stad_request wanted;
+    size_t need = stad_calib_frame_bytes(c->config.geometry.width, c->config.geometry.height);
+    if (stad_calib_want(c, &wanted) != STAD_WANT_FRAME)
+        return STAD_E_STATE;
+    if (!work || work_bytes < need || (uintptr_t)work % STAD_ALIGN != 0)
+        return STAD_E_SIZE;
+    scratch *s = (scratch *)work;
+    int phase = c->report.phase, held = 0;
+    int fault = see(c, left, right, s, work_bytes);
+    if (fault == STAD_FAULT_NONE)
+        held = use(c, s, &fault);
+    c->report.fault = (uint8_t)fault;
+    if (c->report.phase == phase) { /* no step forward: one frame of patience */
+        c->vain++;
+        if (c->vain >= (c->scheduled && phase == STAD_CALIB_LOOK ? 1 : c->config.patience))
+            give_up(c);
+    }
+    return fault == STAD_FAULT_NONE ? held : status_of(fault);
+}
