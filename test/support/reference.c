@@ -24,6 +24,7 @@ typedef struct ref {
     int16_t *L;               /* path costs of one direction: h * W * D */
     int *m;                   /* their minima: h * W */
     int ytop, yend;           /* rows of the stripe at work */
+    reference_extras *x;      /* never NULL */
 } ref;
 
 static const char *const mend_names[MEND_COUNT] = {
@@ -298,6 +299,22 @@ static int best_of(const ref *R, const int16_t *S, int *minS)
     return first;
 }
 
+/* The least cost outside +-1 of the winner. */
+static int runner_up(const ref *R, const int16_t *S, int b)
+{
+    int least = MX;
+    for (int d = 0; d < R->D; d++) {
+        least = abs(b - d) > 1 ? mini(least, S[d]) : least;
+    }
+    return least;
+}
+
+static int confidence_of(const ref *R, const int16_t *S, int b, int minS)
+{
+    int rival = runner_up(R, S, b);
+    return rival > 0 && minS < rival ? (rival - maxi(minS, 0)) * 255 / rival : 0;
+}
+
 static int unique(const ref *R, const int16_t *S, int b, int minS)
 {
     int way3 = R->mode == STAD_MODE_3WAY && !(R->mend & MEND_3WAY_UNIQUENESS);
@@ -340,8 +357,11 @@ static int disagrees(const ref *R, const int *D2, int x, int k)
     return abs(D2[xr] - k) > R->M12;
 }
 
-static void select_row(const ref *R, int y, int *D2, int *C2, int16_t *out)
+/* y: row of S; i: row of the map. */
+static void select_row(const ref *R, int y, int i, int *D2, int *C2, int16_t *out)
 {
+    uint8_t *confidence = R->x->confidence ? R->x->confidence + (size_t)i * (size_t)R->w : NULL;
+    int16_t *right = R->x->right_q4 ? R->x->right_q4 + (size_t)i * (size_t)R->w : NULL;
     for (int x = 0; x < R->w; x++) {
         D2[x] = w16(inv(R));
         C2[x] = MX;
@@ -350,8 +370,13 @@ static void select_row(const ref *R, int y, int *D2, int *C2, int16_t *out)
     for (int x = R->W - 1; x >= 0; x--) {
         const int16_t *S = R->S + cell(R, y, x);
         int minS, b = best_of(R, S, &minS), xr = x + R->X0 - (b + R->minD);
+        R->x->firm += runner_up(R, S, b) * 75 >= minS * 100;
         if (!unique(R, S, b, minS)) {
+            R->x->rejected_uniqueness++;
             continue;
+        }
+        if (confidence) {
+            confidence[x + R->X0] = (uint8_t)confidence_of(R, S, b, minS);
         }
         if (xr >= 0 && xr < R->w && C2[xr] > minS) {
             C2[xr] = minS;
@@ -363,6 +388,16 @@ static void select_row(const ref *R, int y, int *D2, int *C2, int16_t *out)
         int v = out[x];
         if (v != w16(inv(R)) && disagrees(R, D2, x, v >> 4) && disagrees(R, D2, x, (v + 15) >> 4)) {
             out[x] = (int16_t)w16(inv(R));
+            R->x->rejected_check++;
+        }
+    }
+    for (int x = 0; x < R->w; x++) {
+        R->x->valid += out[x] != w16(inv(R));
+        if (confidence && out[x] == w16(inv(R))) {
+            confidence[x] = 0;
+        }
+        if (right) {
+            right[x] = (int16_t)(C2[x] == MX ? w16(inv(R)) : D2[x] * 16);
         }
     }
 }
@@ -374,7 +409,7 @@ static void match_whole(ref *R, int *D2, int *C2, int16_t *out)
     cost_volume(R, 0, R->h);
     aggregate(R);
     for (int y = 0; y < R->h; y++) {
-        select_row(R, y, D2, C2, out + (size_t)y * (size_t)R->w);
+        select_row(R, y, y, D2, C2, out + (size_t)y * (size_t)R->w);
     }
 }
 
@@ -391,7 +426,7 @@ static void match_stripes(ref *R, int *D2, int *C2, int16_t *out, int16_t *row)
         for (int y = ys; y < ye; y++) {
             int i = R->mend & MEND_3WAY_SHIFT ? y : s * sz + (y - ys) + (s == 0 ? ov : 0) - ov;
             if (i >= s * sz && i < ye) {
-                select_row(R, y, D2, C2, row);
+                select_row(R, y, i, D2, C2, row);
                 memcpy(out + (size_t)i * (size_t)R->w, row, (size_t)R->w * sizeof *row);
             }
         }
@@ -445,6 +480,7 @@ static void speckle(const ref *R, int size, int range_q4, int16_t *out, char *se
         int count = seen[i] || out[i] == w16(inv(R)) ? INT_MAX : component(R, out, range_q4, i, seen, queue);
         for (int j = 0; count <= size && j < count; j++) {
             out[queue[j]] = (int16_t)w16(inv(R));
+            R->x->rejected_speckle++;
         }
     }
 }
@@ -459,7 +495,14 @@ static void *grab(size_t count, size_t size, int *failed)
 int reference_match(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right, int width,
                     int height, int channels, int16_t *disp_q4)
 {
-    ref R = {.w = width, .h = height, .cn = channels, .mode = mode, .mend = mends, .I = left, .J = right};
+    reference_extras none = {0, 0, 0, 0, 0, 0, NULL, NULL};
+    return reference_match_extras(raw, mode, mends, left, right, width, height, channels, disp_q4, &none);
+}
+
+int reference_match_extras(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right,
+                           int width, int height, int channels, int16_t *disp_q4, reference_extras *extras)
+{
+    ref R = {.w = width, .h = height, .cn = channels, .mode = mode, .mend = mends, .I = left, .J = right, .x = extras};
     size_t n, px = (size_t)width * (size_t)height;
     int *D2, *C2, *queue, failed = 0;
     int16_t *row, *map;
@@ -488,6 +531,10 @@ int reference_match(const stad_params *raw, int mode, unsigned mends, const uint
         }
         for (size_t i = 0; i < px; i++) {
             map[i] = (int16_t)w16(inv(&R));
+        }
+        extras->considered = R.W * height;
+        for (size_t i = 0; i < px && extras->right_q4; i++) {
+            extras->right_q4[i] = (int16_t)w16(inv(&R)); /* rows that no stripe writes */
         }
         if (mode == STAD_MODE_3WAY) {
             match_stripes(&R, D2, C2, map, row);

@@ -35,9 +35,18 @@ enum reference_mend {
 /* Name of mend number i (0 .. MEND_COUNT - 1), as the option --mend takes it. */
 const char *reference_mend_name(int i);
 
+/* What lies beyond OpenCV (docs/SPEC.md, section 10): each pointer may be NULL; the maps have width * height values. */
+typedef struct reference_extras {
+    int32_t considered, firm, rejected_uniqueness, rejected_check, valid, rejected_speckle;
+    int16_t *right_q4;
+    uint8_t *confidence;
+} reference_extras;
+
 /* disp_q4: width * height values. 0, or -1 when memory runs out or no column can have a disparity. */
 int reference_match(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right, int width,
                     int height, int channels, int16_t *disp_q4);
+int reference_match_extras(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right,
+                           int width, int height, int channels, int16_t *disp_q4, reference_extras *extras);
 
 #ifdef __cplusplus
 }
