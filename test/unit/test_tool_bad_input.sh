@@ -1,0 +1,192 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Bad input to `stad`: exit status, a message that names the culprit, and no half-written file.
+set -u
+stad=${STAD_BUILD:?}/stad
+[ -x "$stad" ] || { echo "SKIPPED: $stad is not built"; exit 77; }
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0 checks=0
+
+# expect STATUS REGEX ARGUMENT...: runs stad; the message must match, and no file may appear or change.
+expect() {
+    local status=$1 regex=$2 got before after
+    shift 2
+    before=$(find . -type f -exec sha256sum {} + | sort)
+    "$stad" "$@" >stdout.tmp 2>stderr.tmp
+    got=$?
+    local message
+    message=$(cat stderr.tmp)
+    rm -f stdout.tmp stderr.tmp
+    after=$(find . -type f -exec sha256sum {} + | sort)
+    checks=$((checks + 1))
+    if [ $got != "$status" ] || ! grep -qE -- "$regex" <<<"$message" || [ "$before" != "$after" ]; then
+        failures=$((failures + 1))
+        echo "FAILED: stad $*"
+        echo "  exit status $got, expected $status; message must match: $regex"
+        echo "  message: $message"
+        [ "$before" = "$after" ] || diff <(echo "$before") <(echo "$after") | sed 's/^/  files: /'
+    fi
+}
+
+# accept ARGUMENT...: must succeed.
+accept() {
+    checks=$((checks + 1))
+    "$stad" "$@" >stdout.tmp 2>stderr.tmp || {
+        failures=$((failures + 1))
+        echo "FAILED: stad $* should succeed: $(cat stderr.tmp)"
+    }
+    rm -f stdout.tmp stderr.tmp
+}
+
+accept scene -o s --width 96 --height 48 --num-disparities 16 --plates 3
+accept scene -o other --width 80 --height 48 --num-disparities 16 --plates 3
+m=(match s/left.png s/right.png -o out.npy --num-disparities 16)
+accept "${m[@]}"
+cp out.npy disp.npy
+rm out.npy
+e=(eval disp.npy s/disp.pfm --min-disparity 0 --num-disparities 16)
+t=(tune s/left.png s/right.png --truth s/disp.pfm --num-disparities 16 --max-evals 2)
+accept "${e[@]}"
+accept "${t[@]}"
+
+### usage ###
+expect 2 'usage' 
+expect 2 'no command "mtach"' mtach
+expect 2 'LEFT and RIGHT' match s/left.png
+expect 2 'LEFT and RIGHT' match a b c -o out.npy
+expect 2 '-o OUT' match s/left.png s/right.png
+expect 2 "unrecognized option '--blok'" "${m[@]}" --blok 3
+expect 2 'requires an argument' match s/left.png s/right.png -o
+expect 2 '--mode fast.*sgbm, hh, 3way or hh4' "${m[@]}" --mode fast
+expect 2 '--memory tiny.*fast or small' "${m[@]}" --memory tiny
+expect 2 'disparity and --num-disparities' eval disp.npy s/disp.pfm
+expect 2 '--threshold -1' "${e[@]}" --threshold -1
+expect 2 '--truth FILE or --scenes' tune s/left.png s/right.png
+expect 2 '--cost best' "${t[@]}" --cost best
+expect 2 '--method newton' "${t[@]}" --method newton
+expect 2 '--max-evals 0' "${t[@]}" --max-evals 0
+expect 2 '--start p3' "${t[@]}" --start p3=4
+expect 2 '--free mode' "${t[@]}" --free p1,mode
+expect 2 '--width is wanted' plan
+expect 2 '--width 0' plan --width 0 --height 10 --num-disparities 16
+
+### each parameter outside its domain, and what OpenCV would make of it ###
+expect 2 'num_disparities 15 .*multiple of 16' "${m[@]}" --num-disparities 15
+expect 2 'num_disparities 0 ' "${m[@]}" --num-disparities 0
+expect 2 'num_disparities -16 ' "${m[@]}" --num-disparities -16
+expect 2 'num_disparities 8 ' "${m[@]}" --mode 3way --num-disparities 8
+expect 2 'num_disparities 96 .*96 pixels wide' "${m[@]}" --num-disparities 96
+expect 2 'min_disparity -2048 ' "${m[@]}" --min-disparity -2048
+expect 2 'min_disparity 2040 ' "${m[@]}" --min-disparity 2040
+expect 2 '--min-disparity 40000: outside' "${m[@]}" --min-disparity 40000
+expect 2 'block_size 4 .*make it 5' "${m[@]}" --block-size 4
+expect 2 'block_size 0 .*make it 5' "${m[@]}" --block-size 0
+expect 2 'block_size 0 .*make it 3' "${m[@]}" --block-size 0 --mode 3way
+expect 2 'block_size 161 ' "${m[@]}" --block-size 161
+expect 2 'p1 0 .*make it 2' "${m[@]}" --p1 0
+expect 2 'p1 32767 ' "${m[@]}" --p1 32767
+expect 2 'p2 5 .*make it 10' "${m[@]}" --p1 9 --p2 5
+expect 2 '--p2 32768: outside' "${m[@]}" --p2 32768
+expect 2 'disp12_max_diff 0 .*make it 1' "${m[@]}" --disp12-max-diff 0
+expect 2 'disp12_max_diff -1 .*make it 1' "${m[@]}" --disp12-max-diff -1
+expect 2 'pre_filter_cap 14 .*make it 15' "${m[@]}" --pre-filter-cap 14
+expect 2 'pre_filter_cap 30 .*make it 31' "${m[@]}" --pre-filter-cap 30
+expect 2 'uniqueness_ratio -1 .*make it 10' "${m[@]}" --uniqueness-ratio -1
+expect 2 'uniqueness_ratio 100 ' "${m[@]}" --uniqueness-ratio 100
+expect 2 'speckle_window_size -1 .*make it 0' "${m[@]}" --speckle-window-size -1
+expect 2 'speckle_range -1 ' "${m[@]}" --speckle-range -1
+expect 2 '--p1 7x: not a whole number' "${m[@]}" --p1 7x
+expect 2 'block_size 4 ' "${t[@]}" --block-size 4
+expect 2 'block_size 4 ' "${t[@]}" --start block_size=4
+
+### parameter files ###
+echo '{"block_size": 5, "uniqueness": 3}' >typo.json
+echo '{"block_size": 5.5}' >half.json
+echo '{"block_size": 6}' >even.json
+echo '{"block_size": ' >cut.json
+echo '[5]' >list.json
+expect 3 'typo.json: "uniqueness" is no parameter' "${m[@]}" --params typo.json
+expect 3 'half.json: "block_size" must be a whole number' "${m[@]}" --params half.json
+expect 2 'block_size 6 .*make it 7' "${m[@]}" --params even.json
+expect 3 'cut.json' "${m[@]}" --params cut.json
+expect 3 'list.json' "${m[@]}" --params list.json
+expect 3 'none.json: No such file' "${m[@]}" --params none.json
+
+### pictures ###
+size=$(stat -c %s s/left.png)
+for keep in 0 7 30 $((size / 2)) $((size - 14)) $((size - 1)); do
+    head -c "$keep" s/left.png >cut.png
+    expect 3 'cut.png: ' match cut.png s/right.png -o out.npy
+done
+{ head -c 60 s/left.png; printf 'XXXX'; tail -c +65 s/left.png; } >flipped.png
+expect 3 'flipped.png: bad PNG' match flipped.png s/right.png -o out.npy
+printf 'P5\n96 48\n255\nshort' >short.pgm
+printf 'P5\n99999999999 48\n255\n' >huge.pgm
+printf 'P5\n96 48\n31\n' >levels.pgm
+{ printf 'P5\n96 48\n65535\n'; head -c 9216 /dev/zero; } >deep.pgm
+expect 3 'short.pgm' match s/left.png short.pgm -o out.npy
+expect 3 'huge.pgm' match s/left.png huge.pgm -o out.npy
+expect 3 'levels.pgm: largest sample value 31' match s/left.png levels.pgm -o out.npy
+expect 3 'deep.pgm: 16 bits' match deep.pgm deep.pgm -o out.npy
+expect 3 'typo.json: not a picture' match typo.json s/right.png -o out.npy
+expect 3 'none.png: No such file' match none.png s/right.png -o out.npy
+expect 3 's: Is a directory' match s s/right.png -o out.npy
+expect 2 's/left.png is 96 x 48, other/right.png is 80 x 48' match s/left.png other/right.png -o out.npy
+
+### outputs ###
+expect 2 'out.bmp: a disparity map is written as' match s/left.png s/right.png -o out.bmp
+expect 2 'out.png: a .png holds' match s/left.png s/right.png -o out.png --num-disparities 16 --min-disparity -16
+expect 2 'look.jpg: is written as .png' "${m[@]}" --preview look.jpg
+expect 3 'nowhere/out.npy: cannot be written' match s/left.png s/right.png -o nowhere/out.npy --num-disparities 16
+mkdir d.npy
+expect 3 'd.npy: cannot be written: it is a folder' match s/left.png s/right.png -o d.npy --num-disparities 16
+expect 3 'nowhere/t.json: cannot be written' "${t[@]}" --json nowhere/t.json
+expect 3 'nowhere/p.h: cannot be written' "${t[@]}" --header nowhere/p.h
+expect 3 'could not be written|cannot be written' match s/left.png s/right.png -o full.npy --num-disparities 16 --preview nowhere/p.png
+if [ -e /dev/full ]; then
+    ln -s /dev/full full.npy
+    expect 3 'full.npy: cannot be written|full: cannot be written' match s/left.png s/right.png -o full.npy --num-disparities 16
+    "$stad" "${e[@]}" >/dev/full 2>/dev/null
+    [ $? = 3 ] || { failures=$((failures + 1)); echo "FAILED: a full standard output is not noticed"; }
+    checks=$((checks + 1))
+fi
+
+# A disk that fills up midway: the old file stays as it was.
+cp disp.npy kept.npy
+old=$(sha256sum <kept.npy)
+(trap '' XFSZ; ulimit -f 4; exec "$stad" match s/left.png s/right.png -o kept.npy --num-disparities 16 --p1 1) 2>stderr.tmp
+[ $? = 3 ] && grep -q 'kept.npy: cannot be written: File too large' stderr.tmp && [ "$old" = "$(sha256sum <kept.npy)" ] ||
+    { failures=$((failures + 1)); echo "FAILED: a full disk: $(cat stderr.tmp)"; }
+checks=$((checks + 1))
+rm stderr.tmp
+
+### truth ###
+head -c 100 s/disp.pfm >cut.pfm
+head -c 200 disp.npy >cut.npy
+printf 'PF\n96 48\n-1\n' >three.pfm
+printf 'PK\003\004 and no archive at all, nothing' >bad.npz
+expect 3 'cut.pfm: bad .pfm' eval disp.npy cut.pfm --min-disparity 0 --num-disparities 16
+expect 3 'cut.npy: bad .npy' eval cut.npy s/disp.pfm --min-disparity 0 --num-disparities 16
+expect 3 'three.pfm: a PFM of three channels' eval disp.npy three.pfm --min-disparity 0 --num-disparities 16
+expect 3 'bad.npz: bad .npz' eval disp.npy bad.npz --min-disparity 0 --num-disparities 16
+expect 2 's/left.png: truth of 8 bits; say with --truth-scale' eval disp.npy s/left.png --min-disparity 0 --num-disparities 16
+expect 2 'is 96 x 48, the truth 80 x 48' eval disp.npy other/disp.pfm --min-disparity 0 --num-disparities 16
+expect 3 'other/nonocc.png: the mask is 80 x 48' "${e[@]}" --mask other/nonocc.png
+expect 2 'no pixel can be scored' eval disp.npy s/disp.pfm --min-disparity 0 --num-disparities 96
+expect 2 'other/disp.pfm is 80 x 48' tune s/left.png s/right.png --truth other/disp.pfm --num-disparities 16
+
+### lists of scenes ###
+echo '[{"left": "s/left.png", "right": "s/right.png"}]' >no_truth.json
+echo '[{"left": "s/left.png", "right": "s/right.png", "truth": "s/none.pfm"}]' >gone.json
+echo '[]' >empty.json
+expect 3 'no_truth.json: scene 0 has no file name "truth"' tune --scenes no_truth.json
+expect 3 's/none.pfm: No such file' tune --scenes gone.json
+expect 3 'empty.json: not a JSON array' tune --scenes empty.json
+expect 2 'scenes alone' tune s/left.png s/right.png --scenes gone.json
+
+leftovers=$(find . -name '*.npy.*' -o -name '*.json.*' -o -name '*.png.*')
+[ -z "$leftovers" ] || { failures=$((failures + 1)); echo "FAILED: left behind: $leftovers"; }
+echo "$checks checks, $failures failed"
+[ $failures = 0 ]
