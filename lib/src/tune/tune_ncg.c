@@ -16,6 +16,10 @@
 #define TUNE_POLLS 1
 #endif
 
+#ifndef TUNE_FOLLOW
+#define TUNE_FOLLOW 1
+#endif
+
 /* The axes in the order that lets a matcher keep most of its work between probes. */
 static const uint8_t sweep_order[STAD_TUNE_DIMS] = {STAD_TUNE_PRE_FILTER_CAP,     STAD_TUNE_P1,
                                                     STAD_TUNE_P2,                 STAD_TUNE_UNIQUENESS_RATIO,
@@ -67,6 +71,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
     stad_tune_walk_from(t, &w, x, cost, reach);
     for (int k = 1; k <= ITERATIONS; k++) {
         const int32_t before = w.cost;
+        const tune_vars from = w.at;
         t->counts.iterations++;
         if (polled_at >= 0 && w.cost < polled_at - polled_at / 33) {
             if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
@@ -80,6 +85,8 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
         if (2 * w.step <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
             return 0;
         if (!sweep_all(t, &w) || !stad_tune_joint_step(t, &w))
+            return 0;
+        if (TUNE_FOLLOW && !stad_tune_follow(t, &w, &from))
             return 0;
         if ((int64_t)before - w.cost < before / 250) {
             if (w.step <= REACH_LEAST) {
@@ -135,6 +142,28 @@ static int descend_from(stad_tune *t, int entry, int32_t reach)
     return descend(t, &x, t->cost[entry], reach);
 }
 
+/* Descends anew from the best point moved to the next block on either side, though that scores worse at first: the other
+ * variables follow a block only after some steps. */
+static int branch(stad_tune *t)
+{
+    const int i = STAD_TUNE_BLOCK_SIZE;
+    const stad_tune_axis *a = &t->config.axis[i];
+    const stad_point from = t->point[t->lead];
+    for (int side = -1; side <= 1 && TUNE_POLLS; side += 2) {
+        stad_point x;
+        tune_vars v;
+        int32_t cost;
+        stad_tune_to_vars(&t->config, &from, &v);
+        v.v[i] += 2 * side;
+        if (!stad_tune_is_free(&t->config, i) || a->scale != STAD_TUNE_ODD || v.v[i] < a->lo || v.v[i] > a->hi)
+            continue;
+        stad_tune_to_point(t, &v, &x);
+        if (!stad_tune_look(t, &x, &cost) || !descend(t, &x, cost, REACH_FIRST))
+            return 0;
+    }
+    return 1;
+}
+
 void stad_tune_ncg_descents(stad_tune *t, int rungs)
 {
     if (!descend_from(t, t->lead, REACH_FIRST) || t->config.patience)
@@ -144,7 +173,8 @@ void stad_tune_ncg_descents(stad_tune *t, int rungs)
     const int other = best_other(t, rungs, t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE]);
     if (other >= 0 && !descend_from(t, other, REACH_FIRST))
         return;
-    descend_from(t, t->lead, REACH_AGAIN);
+    if (descend_from(t, t->lead, REACH_AGAIN) && branch(t))
+        descend_from(t, t->lead, REACH_AGAIN);
 }
 
 int stad_tune_ncg_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)

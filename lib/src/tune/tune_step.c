@@ -178,3 +178,32 @@ int stad_tune_joint_step(stad_tune *t, tune_walk *w)
     w->has_old = 1;
     return 1;
 }
+
+int stad_tune_follow(stad_tune *t, tune_walk *w, const tune_vars *from)
+{
+    int32_t move[STAD_TUNE_DIMS];
+    int axes = 0;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        move[i] = in_step(t, i) ? w->at.v[i] - from->v[i] : 0;
+        axes += move[i] != 0;
+    }
+    for (int k = 0; axes >= 2 && k < MAX_TRIES; k++) {
+        stad_point x;
+        int32_t cost;
+        tune_vars v = w->at;
+        hold(t, move, MAX_MOVE);
+        for (int i = 0; i < STAD_TUNE_DIMS; i++)
+            v.v[i] += move[i];
+        stad_tune_to_point(t, &v, &x);
+        if (stad_tune_same(&x, &w->x))
+            return 1;
+        if (!stad_tune_look(t, &x, &cost))
+            return 0;
+        if (cost >= w->cost)
+            return 1;
+        stad_tune_walk_move(t, w, &x, cost);
+        for (int i = 0; i < STAD_TUNE_DIMS; i++)
+            move[i] *= 2;
+    }
+    return 1;
+}

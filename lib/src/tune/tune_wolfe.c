@@ -44,13 +44,13 @@ static void measure(wolfe_way *d)
     }
 }
 
-/* Halves the differences. 0: they are as small as they get. */
+/* Halves the differences. 0: they were as small as they get. */
 static int finer(wolfe_way *d)
 {
     int coarse = 0;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        d->diff[i] /= 2;
-        coarse |= d->diff[i] >= LAST_DIFF;
+        coarse |= d->diff[i] > LAST_DIFF;
+        d->diff[i] = d->diff[i] / 2 > LAST_DIFF ? d->diff[i] / 2 : LAST_DIFF;
     }
     return coarse;
 }
