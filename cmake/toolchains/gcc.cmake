@@ -7,3 +7,7 @@ set(CMAKE_ASM_COMPILER ${BOARD_GCC}-gcc)
 set(CMAKE_C_FLAGS_INIT "${STAD_BOARD_C_FLAGS} -ffreestanding -fbuiltin -Wno-error=strict-aliasing")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-nostdlib -static")
 set(CMAKE_C_STANDARD_LIBRARIES "-lgcc")
+if(BOARD_ISA STREQUAL riscv_v)
+  set(BOARD_ISA c) # gcc 12 has no vector intrinsics for RISC-V
+endif()
+set(STAD_ISA ${BOARD_ISA} CACHE STRING "Kernels to use: a folder of port/isa")

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT
+ * port/isa/arm_neon/vec_neon.h - the vector verbs of the templates in arm_common, 8 lanes of 16 bits: A64 and A32. */
+#ifndef STAD_VEC_H
+#define STAD_VEC_H
+
+#include <arm_neon.h>
+#include <stdint.h>
+
+#define STAD_TIER(name) name##_neon
+
+typedef int16x8_t vec;
+
+#if defined(__aarch64__)
+#    define VEC_ABREAST 4 /* lanes of the path kernel that 32 registers hold */
+static inline uint16_t vec_least(vec v)
+{
+    return vminvq_u16(vreinterpretq_u16_s16(v));
+}
+
+static inline int vec_least_signed(vec v)
+{
+    return vminvq_s16(v);
+}
+#else
+#    define VEC_ABREAST 2 /* of 16 registers */
+static inline uint16_t vec_least(vec v)
+{
+    uint16x4_t half = vmin_u16(vreinterpret_u16_s16(vget_low_s16(v)), vreinterpret_u16_s16(vget_high_s16(v)));
+    half = vpmin_u16(half, half);
+    return vget_lane_u16(vpmin_u16(half, half), 0);
+}
+
+static inline int vec_least_signed(vec v)
+{
+    int16x4_t half = vmin_s16(vget_low_s16(v), vget_high_s16(v));
+    half = vpmin_s16(half, half);
+    return vget_lane_s16(vpmin_s16(half, half), 0);
+}
+#endif
+
+/* 16 bytes: lanes of 16 bits in memory order on a little-endian core, which both are. */
+static inline vec vec_load(const void *p)
+{
+    return vreinterpretq_s16_u8(vld1q_u8(p));
+}
+
+static inline void vec_store(void *p, vec v)
+{
+    vst1q_u8(p, vreinterpretq_u8_s16(v));
+}
+
+/* The same lanes read as unsigned, or as twice as many bytes. */
+#define VEC_U16(a)    vreinterpretq_u16_s16(a)
+#define VEC_U8(a)     vreinterpretq_u8_s16(a)
+#define VEC_OF_U16(a) vreinterpretq_s16_u16(a)
+#define VEC_OF_U8(a)  vreinterpretq_s16_u8(a)
+
+#define vec_widen(p)           VEC_OF_U16(vmovl_u8(vld1_u8(p))) /* 8 bytes as 16-bit lanes */
+#define vec_sub_widened(p, q)  VEC_OF_U16(vsubl_u8(vld1_u8(p), vld1_u8(q)))
+#define vec_store_low_u8(p, v) vst1_u8(p, vmovn_u16(VEC_U16(v)))
+
+/* In what follows `scalar` operands stand for a vector of that value. */
+#define vec_set(v)                    vdupq_n_s16((int16_t)(v))
+#define vec_set_u8(v)                 VEC_OF_U8(vdupq_n_u8(v))
+#define vec_min(a, b)                 vminq_s16(a, b)
+#define vec_max(a, b)                 vmaxq_s16(a, b)
+#define vec_min_u16(a, b)             VEC_OF_U16(vminq_u16(VEC_U16(a), VEC_U16(b)))
+#define vec_add(a, b)                 vaddq_s16(a, b)
+#define vec_add_scalar(a, v)          vaddq_s16(a, vec_set(v))
+#define vec_sub(a, b)                 vsubq_s16(a, b)
+#define vec_mul_scalar(a, v)          vmulq_s16(a, vec_set(v))
+#define vec_add_sat(a, b)             vqaddq_s16(a, b)
+#define vec_sub_floor(a, b)           VEC_OF_U16(vqsubq_u16(VEC_U16(a), VEC_U16(b))) /* max(a - b, 0), unsigned */
+#define vec_min_u8(a, b)              VEC_OF_U8(vminq_u8(VEC_U8(a), VEC_U8(b)))
+#define vec_max_u8(a, b)              VEC_OF_U8(vmaxq_u8(VEC_U8(a), VEC_U8(b)))
+#define vec_add_u8(a, b)              VEC_OF_U8(vaddq_u8(VEC_U8(a), VEC_U8(b)))
+#define vec_mean_u8(a, b)             VEC_OF_U8(vhaddq_u8(VEC_U8(a), VEC_U8(b))) /* rounded down */
+#define vec_sub_floor_u8(a, b)        VEC_OF_U8(vqsubq_u8(VEC_U8(a), VEC_U8(b)))
+#define vec_sub_floor_scalar_u8(a, v) vec_sub_floor_u8(a, vec_set_u8(v))
+#define vec_shift_right_u8(a, n)      VEC_OF_U8(vshrq_n_u8(VEC_U8(a), n))
+
+/* 0, 1, ... 7. */
+static inline vec vec_count(void)
+{
+    static const int16_t count[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    return vld1q_s16(count);
+}
+
+/* Lane by lane: a < b ? yes : no. */
+#define vec_where_less(a, b, yes, no) vbslq_s16(vcltq_s16(a, b), yes, no)
+
+/* Lane by lane: a == v ? yes : 32767. */
+#define vec_where_equal(a, v, yes) vbslq_s16(vceqq_s16(a, vec_set(v)), yes, vec_set(INT16_MAX))
+
+/* Lane by lane: min(least, cost) where `place`, unsigned, is above v; else least. */
+#define vec_min_where_above(least, cost, place, v) \
+    vbslq_s16(vcgtq_u16(VEC_U16(place), vdupq_n_u16(v)), vec_min(least, cost), least)
+
+static inline void vec_store_reversed_u8(uint8_t *p, vec v)
+{
+    const uint8x16_t swapped = vrev64q_u8(VEC_U8(v));
+    vst1q_u8(p, vextq_u8(swapped, swapped, 8));
+}
+
+#endif
