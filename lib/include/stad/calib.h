@@ -21,7 +21,7 @@
  * Nothing is adopted that did not hold on a frame it was not made from. The set in use (stad_calib_setup) changes at two points only:
  * when the decision is made, just before SAVE is asked for, and when it is rolled back.
  *
- * Memory: one struct of about 11 KB, the workspace of the caller, and two held frame pairs (at least the crop r.box of them). After a
+ * Memory: one struct of less than 8 KB, the workspace of the caller, and two held frame pairs (at least the crop r.box of them). After a
  * reset call stad_calib_init() with the setup that stad_store_load() found: a run that was under way starts over. A struct
  * that survived the reset in retained memory together with the held frames goes on where it was: it holds no pointer but
  * config.target, a constant table.
