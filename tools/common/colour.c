@@ -11,7 +11,7 @@ static uint8_t byte_of(double v)
 
 void colour_of(double v, uint8_t rgb[3])
 {
-    const double start = 0.5, turns = -1.1, saturation = 1.4, darkest = 0.16, brightest = 0.94;
+    const double start = 2.4, turns = 0.9, saturation = 1.8, darkest = 0.15, brightest = 0.92;
     double light = darkest + (brightest - darkest) * (v < 0 ? 0 : v > 1 ? 1 : v);
     double angle = 6.283185307179586 * (start / 3 + 1 + turns * light);
     double strength = saturation * light * (1 - light) / 2;

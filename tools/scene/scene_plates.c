@@ -65,7 +65,8 @@ void scene_random(scene *s, int width, int height, int min_disparity, int num_di
     s->surface[0].c_q16 = base_q16 + 9 * step_q16;
     draw_slopes(&s->surface[0], &state, 7 * step_q16, width, height);
     draw_paint(s, 0, &state);
-    s->noise[0].contrast = 70;
+    s->noise[0].contrast = 70; /* half of the image: rich, or the scene is about nothing else */
+    s->noise[0].stripes = 0;
     for (int i = 1; i <= plates; i++)
         draw_plate(s, i, &state, base_q16 + draw(&state, 22, 58) * step_q16, 4 * step_q16);
 }
