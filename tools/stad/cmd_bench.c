@@ -3,6 +3,7 @@
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "../common/engine.h"
@@ -15,7 +16,8 @@ static const char help[] =
     "Time to match a frame, and per pixel and disparity: CPU time of one thread, median over the frames.\n"
     "Without --mode all four are timed.\n\n"
     "  --width W, --height H        (640, 480)\n"
-    "  --frames N                   (9)\n" MATCH_OPTIONS_HELP
+    "  --frames N                   (9)\n"
+    "  --isa c|sse41|avx2|avx512    at most this tier of kernels on x86 (what the CPU has)\n" MATCH_OPTIONS_HELP
     "\nExample: stad bench --num-disparities 128 --mode sgbm\n";
 
 typedef struct bench_job {
@@ -27,11 +29,24 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"width", required_argument, NULL, 'W'},
                                       {"height", required_argument, NULL, 'H'},
                                       {"frames", required_argument, NULL, 'n'},
+                                      {"isa", required_argument, NULL, 'i'},
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
 
+/* The library looks at this variable when it first matches. */
+static int take_isa(const char *name, tool_fail *f)
+{
+    if (strcmp(name, "c") && strcmp(name, "sse41") && strcmp(name, "avx2") && strcmp(name, "avx512"))
+        return tool_fail_set(f, TOOL_USAGE, "--isa %s: must be c, sse41, avx2 or avx512", name);
+    if (setenv("STAD_ISA", name, 1))
+        return tool_fail_set(f, TOOL_USAGE, "--isa %s: the environment cannot be changed", name);
+    return TOOL_OK;
+}
+
 static int take(bench_job *j, int code, tool_fail *f)
 {
+    if (code == 'i')
+        return take_isa(optarg, f);
     if (code == 'W')
         return tool_whole("width", optarg, 32, 4096, &j->width, f);
     if (code == 'H')
