@@ -59,6 +59,8 @@ static void check_point(const stad_tune *t, const stad_tune_config *c, const sta
             continue;
         TEST_ASSERT_GREATER_OR_EQUAL_INT(c->axis[i].lo, x->v[i]);
         TEST_ASSERT_LESS_OR_EQUAL_INT(c->axis[i].hi, x->v[i]);
+        if (c->axis[i].scale == STAD_TUNE_LOG2 || c->axis[i].scale == STAD_TUNE_AREA)
+            TEST_ASSERT_EQUAL_INT(0, (x->v[i] - c->axis[i].lo) % c->axis[i].unit);
     }
     for (int i = 0; stad_tune_trace(t, i, &old, &cost) == STAD_OK; i++)
         TEST_ASSERT_TRUE_MESSAGE(memcmp(&old, x, sizeof old) != 0, "a point was asked for twice");

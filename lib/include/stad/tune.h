@@ -62,7 +62,7 @@ enum stad_tune_scale {
 
 typedef struct stad_tune_axis {
     int16_t lo, hi; /* inclusive; lo >= 1 for all but LINEAR */
-    int16_t unit;   /* LINEAR: integers per step, >= 1; ignored otherwise */
+    int16_t unit;   /* >= 1. LINEAR: integers per step; LOG2 and AREA: only lo, lo + unit, lo + 2 unit, ... are asked for */
     uint8_t scale;  /* enum stad_tune_scale */
     int8_t side;    /* +1 or -1: where to look first */
 } stad_tune_axis;

@@ -8,7 +8,7 @@ void stad_tune_config_stereo(stad_tune_config *c, int purpose)
 {
     static const stad_tune_axis stereo[STAD_TUNE_DIMS] = {
         {1, 4096, 1, STAD_TUNE_AREA, -1}, {2, 8192, 1, STAD_TUNE_AREA, -1}, {1, 11, 1, STAD_TUNE_ODD, -1},
-        {0, 40, 8, STAD_TUNE_LINEAR, -1}, {15, 127, 1, STAD_TUNE_LOG2, 1},  {1, 8, 1, STAD_TUNE_POWER, 1}};
+        {0, 40, 8, STAD_TUNE_LINEAR, -1}, {15, 127, 2, STAD_TUNE_LOG2, 1},  {1, 8, 1, STAD_TUNE_POWER, 1}};
     memset(c, 0, sizeof *c);
     c->method = STAD_TUNE_NCG;
     c->free_mask = (1u << STAD_TUNE_DIMS) - 1;

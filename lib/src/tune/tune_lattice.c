@@ -63,6 +63,16 @@ static int64_t value_of(const stad_tune_config *c, int i, int32_t v, int32_t blo
     }
 }
 
+/* An integer to the nearest one that axis a asks for. */
+static int32_t continuous_value(const stad_tune_axis *a, int64_t value)
+{
+    const int32_t v = clip(value, a->lo, a->hi);
+    if (a->scale == STAD_TUNE_LINEAR || a->unit == 1)
+        return v;
+    const int32_t up = (v - a->lo + a->unit / 2) / a->unit * a->unit + a->lo;
+    return up <= a->hi ? up : up - a->unit;
+}
+
 /* Discrete values to the nearest allowed one at or below, so that no poll can leave the lattice. */
 static int32_t discrete_value(const stad_tune_axis *a, int32_t value)
 {
@@ -105,7 +115,7 @@ void stad_tune_to_point(const stad_tune *t, const tune_vars *vars, stad_point *x
         if (!stad_tune_is_free(c, i))
             continue;
         if (stad_tune_is_continuous(c, i))
-            out.v[i] = (int16_t)clip(value_of(c, i, v.v[i], out.v[block]), a->lo, a->hi);
+            out.v[i] = (int16_t)continuous_value(a, value_of(c, i, v.v[i], out.v[block]));
         else
             out.v[i] = (int16_t)discrete_value(a, v.v[i]);
     }

@@ -50,8 +50,10 @@ static int probe_at(stad_tune *t, const tune_walk *w, int i, int32_t distance, p
     v.v[i] += distance;
     stad_tune_to_point(t, &v, &p->x);
     if (p->x.v[i] == w->x.v[i]) {
-        const int next = w->x.v[i] + (distance < 0 ? -1 : 1);
-        if (next < t->config.axis[i].lo || next > t->config.axis[i].hi) {
+        const stad_tune_axis *a = &t->config.axis[i];
+        const int quantum = a->scale == STAD_TUNE_LINEAR ? 1 : a->unit;
+        const int next = w->x.v[i] + (distance < 0 ? -quantum : quantum);
+        if (next < a->lo || next > a->hi) {
             *moved = 0;
             return 1;
         }

@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT
+ * unit/test_tune.c - the search finds what it should. */
+#include "tune_case.h"
+
+#include <stdio.h>
+
+static stad_tune tune;
+static stad_tune_config config;
+
+void setUp(void)
+{
+    stad_tune_config_stereo(&config, STAD_TUNE_FOR_ANY);
+}
+
+void tearDown(void)
+{
+}
+
+static int32_t best_cost(const stad_tune *t)
+{
+    int32_t cost = -1;
+    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_best(t, NULL, &cost));
+    return cost;
+}
+
+static void test_tune_state_fits_four_kib(void)
+{
+    TEST_ASSERT_LESS_OR_EQUAL_size_t(4096, sizeof(stad_tune));
+}
+
+static void test_tune_bowl_reaches_floor_in_sixty(void)
+{
+    config.budget = 60;
+    run_search(&tune, &config, &sample_start, bowl);
+    TEST_ASSERT_LESS_THAN_INT32(40000 + 400, best_cost(&tune)); /* the floor is 40000 and up to 63 of noise; 1 percent */
+}
+
+static void test_tune_every_method_improves_bowl(void)
+{
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+        config.method = (uint8_t)method;
+        config.budget = 150;
+        run_search(&tune, &config, &sample_start, bowl);
+        TEST_ASSERT_LESS_THAN_INT32_MESSAGE(bowl(&sample_start) * 6 / 10, best_cost(&tune), "a method did not get far");
+    }
+}
+
+/* 100 (y - x^2)^2 + (1 - x)^2 in 1/65536, x and y in 1/1024. */
+static int32_t rosenbrock(const stad_point *p)
+{
+    const int64_t x = p->v[0], y = p->v[1];
+    const int64_t valley = (y * 1024 - x * x) / 64;                   /* in 1/2^14, below 2^18 */
+    const int64_t cost = 25 * valley * valley / 1024 + (1024 - x) * (1024 - x) / 16; /* in 1/65536 */
+    return (int32_t)(cost < 1 << 30 ? cost : 1 << 30);
+}
+
+static void rosenbrock_config(stad_tune_config *c)
+{
+    memset(c, 0, sizeof *c);
+    c->free_mask = 3;
+    c->budget = STAD_TUNE_LOG;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++)
+        c->axis[i] = (stad_tune_axis){-2048, 2047, 32, STAD_TUNE_LINEAR, 1};
+}
+
+static void test_tune_rosenbrock_finds_valley(void)
+{
+    const stad_point start = {{-1229, 1024, 0, 0, 0, 0}}; /* (-1.2, 1) */
+    rosenbrock_config(&config);
+    const int n = run_search(&tune, &config, &start, rosenbrock);
+    stad_point x;
+    int32_t cost;
+    stad_tune_best(&tune, &x, &cost);
+    char text[80];
+    snprintf(text, sizeof text, "%d evaluations, (%d, %d) / 1024, cost %d", n, x.v[0], x.v[1], (int)cost);
+    TEST_ASSERT_LESS_THAN_INT32_MESSAGE(rosenbrock(&start) / 100, cost, text);
+}
+
+static void test_tune_fixed_coordinates_stay(void)
+{
+    stad_point x;
+    int32_t cost;
+    config.free_mask = (1u << STAD_TUNE_P1) | (1u << STAD_TUNE_UNIQUENESS_RATIO);
+    run_search(&tune, &config, &sample_start, bowl);
+    for (int i = 0; stad_tune_trace(&tune, i, &x, &cost) == STAD_OK; i++) {
+        TEST_ASSERT_EQUAL_INT(288, x.v[STAD_TUNE_P2]);
+        TEST_ASSERT_EQUAL_INT(3, x.v[STAD_TUNE_BLOCK_SIZE]);
+        TEST_ASSERT_EQUAL_INT(63, x.v[STAD_TUNE_PRE_FILTER_CAP]);
+        TEST_ASSERT_EQUAL_INT(1, x.v[STAD_TUNE_DISP12_MAX_DIFF]);
+    }
+}
+
+static void test_tune_pair_keeps_p2_above_p1(void)
+{
+    stad_point x;
+    int32_t cost;
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+        config.method = (uint8_t)method;
+        run_search(&tune, &config, &sample_start, bowl);
+        for (int i = 0; stad_tune_trace(&tune, i, &x, &cost) == STAD_OK; i++)
+            TEST_ASSERT_GREATER_THAN_INT(x.v[STAD_TUNE_P1], x.v[STAD_TUNE_P2]);
+    }
+}
+
+static void test_tune_ladder_is_scored_first_and_counts(void)
+{
+    const stad_point rung = {{30, 90, 5, 20, 31, 2}};
+    stad_point x;
+    int32_t cost;
+    config.ladder[0] = rung;
+    config.ladder[1] = sample_start; /* the start again: no second evaluation */
+    config.ladder_count = 2;
+    run_search(&tune, &config, &sample_start, bowl);
+    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_trace(&tune, 0, &x, &cost));
+    TEST_ASSERT_EQUAL_MEMORY(&sample_start, &x, sizeof x);
+    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_trace(&tune, 1, &x, &cost));
+    TEST_ASSERT_EQUAL_MEMORY(&rung, &x, sizeof x);
+}
+
+static void test_tune_copy_goes_on_alike(void)
+{
+    static stad_tune copy;
+    stad_point x, y;
+    for (int cut = 0; cut < 60; cut += 7) {
+        stad_tune_init(&tune, &config, &sample_start);
+        for (int i = 0; i < cut && stad_tune_ask(&tune, &x) == 1; i++)
+            stad_tune_tell(&tune, bowl(&x));
+        memcpy(&copy, &tune, sizeof copy);
+        while (stad_tune_ask(&tune, &x) == 1) {
+            TEST_ASSERT_EQUAL_INT(1, stad_tune_ask(&copy, &y));
+            TEST_ASSERT_EQUAL_MEMORY(&x, &y, sizeof x);
+            stad_tune_tell(&tune, bowl(&x));
+            stad_tune_tell(&copy, bowl(&y));
+        }
+        TEST_ASSERT_EQUAL_INT(0, stad_tune_ask(&copy, &y));
+        TEST_ASSERT_EQUAL_MEMORY(&tune, &copy, sizeof tune);
+    }
+}
+
+static void test_tune_single_method_equals_chosen(void)
+{
+    static stad_tune one;
+    stad_point x;
+    run_search(&tune, &config, &sample_start, bowl);
+    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_ncg_init(&one, &config, &sample_start));
+    while (stad_tune_ask(&one, &x) == 1)
+        stad_tune_ncg_tell(&one, bowl(&x));
+    TEST_ASSERT_EQUAL_HEX32(hash_of(&tune), hash_of(&one));
+}
+
+static void test_tune_counters_tell_memo_hits(void)
+{
+    config.budget = 150;
+    run_search(&tune, &config, &sample_start, bowl);
+    const stad_tune_counts n = stad_tune_counts_of(&tune);
+    TEST_ASSERT_GREATER_THAN_INT(n.evaluations, n.calls);
+    TEST_ASSERT_GREATER_THAN_INT(0, n.iterations);
+}
+
+static void test_tune_best_is_least_of_trace(void)
+{
+    stad_point x;
+    int32_t cost, least = INT32_MAX;
+    run_search(&tune, &config, &sample_start, bowl);
+    for (int i = 0; stad_tune_trace(&tune, i, &x, &cost) == STAD_OK; i++) {
+        TEST_ASSERT_EQUAL_INT32(bowl(&x), cost);
+        least = cost < least ? cost : least;
+    }
+    TEST_ASSERT_EQUAL_INT32(least, best_cost(&tune));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_tune_state_fits_four_kib);
+    RUN_TEST(test_tune_bowl_reaches_floor_in_sixty);
+    RUN_TEST(test_tune_every_method_improves_bowl);
+    RUN_TEST(test_tune_rosenbrock_finds_valley);
+    RUN_TEST(test_tune_fixed_coordinates_stay);
+    RUN_TEST(test_tune_pair_keeps_p2_above_p1);
+    RUN_TEST(test_tune_ladder_is_scored_first_and_counts);
+    RUN_TEST(test_tune_copy_goes_on_alike);
+    RUN_TEST(test_tune_single_method_equals_chosen);
+    RUN_TEST(test_tune_counters_tell_memo_hits);
+    RUN_TEST(test_tune_best_is_least_of_trace);
+    return UNITY_END();
+}
