@@ -60,7 +60,7 @@ static void rosenbrock_config(stad_tune_config *c)
     c->free_mask = 3;
     c->budget = STAD_TUNE_LOG;
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        c->axis[i] = (stad_tune_axis){-2048, 2047, 32, STAD_TUNE_LINEAR, 1};
+        c->axis[i] = (stad_tune_axis){-2048, 2047, 64, STAD_TUNE_LINEAR, 1};
 }
 
 static void test_tune_rosenbrock_finds_valley(void)

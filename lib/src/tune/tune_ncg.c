@@ -10,6 +10,7 @@
 #define REACH_FIRST (3 * TUNE_ONE / 4)
 #define REACH_AGAIN (TUNE_ONE / 2)
 #define REACH_LEAST (TUNE_ONE / 8)
+#define REACH_FINEST (TUNE_ONE / 128)
 #define ITERATIONS  30
 
 #ifndef TUNE_POLLS /* 0: leave the discrete axes alone (a switch for the ablation) */
@@ -68,6 +69,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
     tune_walk w;
     int32_t polled_at = -1;
     int moved;
+    const int32_t least = reach < REACH_AGAIN ? reach / 4 : REACH_LEAST;
     stad_tune_walk_from(t, &w, x, cost, reach);
     for (int k = 1; k <= ITERATIONS; k++) {
         const int32_t before = w.cost;
@@ -89,17 +91,17 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
         if (TUNE_FOLLOW && !stad_tune_follow(t, &w, &from))
             return 0;
         if ((int64_t)before - w.cost < before / 250) {
-            if (w.step <= REACH_LEAST) {
+            if (w.step <= least) {
                 if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
                     return 0;
                 if (!moved)
                     return 1;
                 forget_curve(t, &w);
-                w.step = REACH_AGAIN;
+                w.step = reach < REACH_AGAIN ? reach : REACH_AGAIN;
                 polled_at = w.cost;
                 continue;
             }
-            w.step = w.step / 2 > REACH_LEAST ? w.step / 2 : REACH_LEAST;
+            w.step = w.step / 2 > least ? w.step / 2 : least;
             w.has_old = 0;
         }
         if (k % 4 == 0)
@@ -173,8 +175,12 @@ void stad_tune_ncg_descents(stad_tune *t, int rungs)
     const int other = best_other(t, rungs, t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE]);
     if (other >= 0 && !descend_from(t, other, REACH_FIRST))
         return;
-    if (descend_from(t, t->lead, REACH_AGAIN) && branch(t))
-        descend_from(t, t->lead, REACH_AGAIN);
+    if (!descend_from(t, t->lead, REACH_AGAIN) || !branch(t) || !descend_from(t, t->lead, REACH_AGAIN))
+        return;
+    for (int32_t reach = REACH_LEAST; reach >= REACH_FINEST; reach /= 4) {
+        if (!descend_from(t, t->lead, reach))
+            return;
+    }
 }
 
 int stad_tune_ncg_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)

@@ -9,6 +9,7 @@
 #define BETA_ONE  4096 /* Q12 */
 #define MAX_MOVE  (3 * TUNE_ONE)
 #define MAX_TRIES 3
+#define MAX_FOLLOW 8
 
 #ifndef TUNE_BETA /* 0: leave conjugacy out, 1: PR+ (a switch for the ablation) */
 #define TUNE_BETA 1
@@ -187,7 +188,7 @@ int stad_tune_follow(stad_tune *t, tune_walk *w, const tune_vars *from)
         move[i] = in_step(t, i) ? w->at.v[i] - from->v[i] : 0;
         axes += move[i] != 0;
     }
-    for (int k = 0; axes >= 2 && k < MAX_TRIES; k++) {
+    for (int k = 0; axes >= 2 && k < MAX_FOLLOW; k++) {
         stad_point x;
         int32_t cost;
         tune_vars v = w->at;
