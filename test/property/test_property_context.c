@@ -143,7 +143,15 @@ static void test_property_parameters_changed_between_frames_leave_no_trace(void)
             bound_make(&b, &f, i);
             for (int frame = 0; frame < 4; frame++) {
                 stad_params p = b.p;
-                int drop = rng_range(&s, 0, f.c.height - 1);
+                int drop = rng_range(&s, 0, f.c.height - 1), step = mode == STAD_MODE_3WAY ? 16 : 8;
+                test_case whole = f.c;
+                p.num_disparities = (int16_t)(step * rng_range(&s, 1, b.p.num_disparities / step));
+                p.min_disparity = (int16_t)rng_range(&s, -f.c.width, f.c.width);
+                whole.params = p;
+                if (!case_defined(&whole)) {
+                    p.num_disparities = b.p.num_disparities;
+                    p.min_disparity = b.p.min_disparity;
+                }
                 p.p1 = (int16_t)rng_range(&s, 1, b.p.p1);
                 p.p2 = (int16_t)rng_range(&s, p.p1 + 1, b.p.p2 > p.p1 ? b.p.p2 : p.p1 + 1);
                 p.block_size = (int16_t)(rng_range(&s, 0, b.p.block_size / 2) * 2 + 1);

@@ -7,7 +7,7 @@
 #include "support/reference.h"
 #include "unity.h"
 
-#define CASES 120
+#define CASES 200
 #define SEED  501u
 
 void setUp(void)

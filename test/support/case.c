@@ -76,6 +76,23 @@ static void draw_stress(stad_params *p, uint32_t *s)
     p->uniqueness_ratio = mostly(s, 0, 40, 3, 99);
 }
 
+/* P2 where the block cost just fits int16, or just not; or where it just fits a byte. */
+static void draw_edge(stad_params *p, uint32_t *s, int channels)
+{
+    int side, top, room;
+    p->block_size = (int16_t)(rng_range(s, 0, 5) * 2 + 1);
+    p->pre_filter_cap = mostly(s, 1, 130, 2, 40);
+    side = p->block_size;
+    top = channels * (maxi(p->pre_filter_cap, 15) > 127 ? 318 : 2 * (maxi(p->pre_filter_cap, 15) | 1) + 63);
+    room = 32767 - side * side * top;
+    if (room < 100 || rng_range(s, 0, 2) == 0) {
+        p->p2 = (int16_t)rng_range(s, 253, 257);
+    } else {
+        p->p2 = (int16_t)(room - rng_range(s, 0, (side + 1) * top < room ? (side + 1) * top : room - 2));
+    }
+    p->p1 = (int16_t)rng_range(s, 1, p->p2 - 1);
+}
+
 static void draw_odd_values(stad_params *p, uint32_t *s)
 {
     switch (rng_range(s, 0, 15)) {
@@ -112,6 +129,9 @@ void case_random(test_case *c, uint32_t seed, uint32_t index, int mode, int stre
     c->channels = rng_range(&s, 0, 2) == 0 ? 3 : 1;
     if (stress) {
         draw_stress(p, &s);
+        if (rng_range(&s, 0, 3) == 0) {
+            draw_edge(p, &s, c->channels);
+        }
     } else {
         draw_ordinary(p, &s, c->channels);
     }
@@ -130,7 +150,7 @@ void case_random(test_case *c, uint32_t seed, uint32_t index, int mode, int stre
     work = maxi(1, 150000 / ((c->width - lost(c)) * p->num_disparities));
     c->height = rng_range(&s, 1, mostly(&s, 1, work < 60 ? work : 60, 3, 12));
     c->view.seed = rng_next(&s);
-    c->view.kind = rng_range(&s, 0, SCENE_KINDS - 1);
+    c->view.kind = rng_range(&s, 0, 4) ? rng_range(&s, 0, SCENE_KINDS - 1) : SCENE_BINARY;
     c->view.disp_min = p->min_disparity;
     c->view.disp_count = p->num_disparities;
     c->interleave = rng_next(&s);

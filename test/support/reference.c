@@ -29,7 +29,8 @@ typedef struct ref {
 
 static const char *const mend_names[MEND_COUNT] = {
     "saturation",      "border-intensity", "hh4-last-rows", "3way-ties",  "3way-lanes", "3way-uniqueness", "unset-right",
-    "check-off",       "median",           "3way-block",    "subpixel",   "3way-shift", "cost-order"};
+    "check-off",       "median",           "3way-block",    "subpixel",   "3way-shift", "cost-order",      "path-order",
+    "cost-gate"};
 
 const char *reference_mend_name(int i)
 {
@@ -156,6 +157,10 @@ static int pixel(const ref *R, int k, int x, int d)
 
 static int add_sub(const ref *R, int v, int add, int sub, int add_first)
 {
+    int side = 2 * R->r + 1, top = R->cn * (mini(2 * R->F, 255) + 63);
+    if ((R->mend & MEND_COST_GATE) && R->P2 + side * side * top <= MX) {
+        return v + add - sub;
+    }
     if (add_first != ((R->mend & MEND_COST_ORDER) != 0)) {
         return sat(R, sat(R, v + add) - sub);
     }
@@ -265,8 +270,13 @@ static void aggregate(const ref *R)
         {{0, -1}, {0, 1}, {-1, 0}, {1, 0}},
     };
     size_t from = cell(R, R->ytop, 0), to = cell(R, R->yend, 0);
+    int n = 0;
     memset(R->S + from, 0, (to - from) * sizeof *R->S);
-    for (int i = 0; order[R->mode][i][0] || order[R->mode][i][1]; i++) {
+    while (order[R->mode][n][0] || order[R->mode][n][1]) {
+        n++;
+    }
+    for (int k = 0; k < n; k++) {
+        int i = R->mend & MEND_PATH_ORDER ? n - 1 - k : k;
         add_path(R, order[R->mode][i][0], order[R->mode][i][1]);
     }
 }

@@ -29,7 +29,9 @@ enum reference_mend {
     MEND_SUBPIXEL = 1 << 10,        /* sub-pixel division rounds down */
     MEND_3WAY_SHIFT = 1 << 11,      /* tiny heights do not shift 3WAY's stripes */
     MEND_COST_ORDER = 1 << 12,      /* block sums swap the order of + and - */
-    MEND_COUNT = 13
+    MEND_PATH_ORDER = 1 << 13,      /* paths are summed in the opposite order */
+    MEND_COST_GATE = 1 << 14,       /* no saturation half way through a step where the sums themselves fit */
+    MEND_COUNT = 15
 };
 
 /* Name of mend number i (0 .. MEND_COUNT - 1), as the option --mend takes it. */
