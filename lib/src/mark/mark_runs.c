@@ -25,7 +25,7 @@ static int32_t next_bit(const mark_work *w, const uint8_t *row, int32_t from, un
     while (from < w->width) {
         if (from % 8 == 0 && row[from / 8] == skip)
             from += 8;
-        else if ((row[from / 8] >> (from % 8) & 1u) == value)
+        else if (((unsigned)row[from / 8] >> (from % 8) & 1u) == value)
             return from;
         else
             from++;

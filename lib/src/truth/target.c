@@ -13,8 +13,8 @@ static const stad_target_tag relief_tags[] = {{0, 6, 6}, {1, 202, 6}, {2, 202, 1
 static const char *const relief_parts[] = {"plate", "wedge", "tent", "bar-8", "bar-10", "bar-12"};
 
 static const stad_target_facet relief_facets[] = {
-    {0, {74, 122, 122, 74}, {16, 16, 64, 64}, {48, 48, 48, 48}},       /* plate */
-    {1, {136, 180, 180, 136}, {16, 16, 64, 64}, {0, 52, 52, 0}},       /* wedge: rises to the right */
+    {0, {80, 128, 128, 80}, {16, 16, 64, 64}, {40, 40, 40, 40}},       /* plate */
+    {1, {138, 166, 166, 138}, {16, 16, 64, 64}, {0, 44, 44, 0}},       /* wedge: rises to the right */
     {2, {72, 98, 98, 72}, {104, 104, 164, 164}, {0, 28, 28, 0}},       /* tent: left slope */
     {2, {98, 124, 124, 98}, {104, 104, 164, 164}, {28, 0, 0, 28}},     /* tent: right slope */
     {3, {136, 144, 144, 136}, {104, 104, 168, 168}, {20, 20, 20, 20}}, /* bars, upright */

@@ -57,12 +57,14 @@ static int plane_ok(const stad_plane *plane, const stad_polygon *where)
 
 static int add_layer(stad_truth *t, const stad_polygon *where, stad_truth_layer **layer)
 {
+    const stad_plane none = {0, 0, 0};
     if (!polygon_ok(t, where))
         return STAD_E_PARAM;
     if (t->count >= STAD_TRUTH_LAYERS)
         return STAD_E_LIMIT;
     *layer = &t->layer[t->count];
     (*layer)->where = *where;
+    (*layer)->plane = none;
     return STAD_OK;
 }
 

@@ -11,8 +11,9 @@
 #include "stad/score.h"
 #include "truth/polygon.h"
 
-/* Nearer by less than this hides nothing: planes that touch. */
-enum { HIDING_STEP_Q16 = 1 << 15 };
+/* Nearer by less than HIDING_STEP hides nothing: planes that touch. UNSURE: left of a mask, so perhaps hidden by what it
+ * stands for; becomes OCCLUDED where a plane is known to hide it, else IGNORED. */
+enum { HIDING_STEP_Q16 = 1 << 15, UNSURE = 255 };
 
 /* A plane cut by one row: d = a x + c, and the right positions it covers. All Q16. */
 typedef struct cut {
@@ -30,7 +31,10 @@ static void draw_mask(const stad_truth *t, const stad_truth_layer *layer, int32_
     int32_t first, last;
     if (!stad_polygon_outer(&layer->where, y, t->margin, &first, &last))
         return;
-    for (int32_t x = max_i32(first - layer->mask_left, 0); x <= min_i32(last, t->width - 1); x++) {
+    for (int32_t x = max_i32(first - layer->mask_left, 0); x < min_i32(first, t->width); x++)
+        if (label[x] == STAD_LABEL_VISIBLE)
+            label[x] = UNSURE;
+    for (int32_t x = max_i32(first, 0); x <= min_i32(last, t->width - 1); x++) {
         truth[x] = STAD_TRUTH_NONE;
         label[x] = STAD_LABEL_IGNORED;
     }
@@ -72,7 +76,7 @@ static cut cut_plane(const stad_truth_layer *layer, int32_t y)
 static void hide_behind(const stad_truth *t, const cut *k, const int32_t *truth, uint8_t *label)
 {
     for (int32_t x = 0; x < t->width; x++) {
-        if (label[x] != STAD_LABEL_VISIBLE)
+        if (label[x] == STAD_LABEL_IGNORED)
             continue;
         const int32_t right = x * 65536 - truth[x];
         if (right < k->right_first || right > k->right_last)
@@ -90,7 +94,7 @@ static void clip(const stad_truth *t, const int32_t *truth, uint8_t *label)
     for (int32_t x = 0; x < t->width; x++) {
         if (x < first || x > last)
             label[x] = STAD_LABEL_IGNORED;
-        if (label[x] != STAD_LABEL_VISIBLE)
+        if (label[x] == STAD_LABEL_IGNORED)
             continue;
         const int32_t right = x * 65536 - truth[x];
         if (right < 0 || right > (t->width - 1) * 65536)
@@ -119,5 +123,8 @@ int stad_truth_row(const stad_truth *t, int y, int width, int32_t *truth_q16_row
         if (k.seen)
             hide_behind(t, &k, truth_q16_row, label_row);
     }
+    for (int32_t x = 0; x < width; x++)
+        if (label_row[x] == UNSURE)
+            label_row[x] = STAD_LABEL_IGNORED;
     return STAD_OK;
 }

@@ -175,3 +175,62 @@ void study_expose(float *grey, int count, double black, double white, double noi
     target_add_noise(grey, count, noise, &r);
     target_quantise(grey, count, pix);
 }
+
+/* Marks of both views, paired. */
+static int pair_frames(const uint8_t *left, const uint8_t *right, int width, int height, stad_pair *pairs)
+{
+    stad_mark a[32], b[32];
+    const stad_image l = stad_image_packed(left, width, height, 1), r = stad_image_packed(right, width, height, 1);
+    const int na = stad_mark_find(&l, NULL, a, 32, work, sizeof work), nb = stad_mark_find(&r, NULL, b, 32, work, sizeof work);
+    return stad_mark_pair(a, na, b, nb, pairs, 32);
+}
+
+/* Truth of the relief (relief != 0) or the flat board from a pair of frames, every row of it. Returns the status. */
+int study_truth(const uint8_t *left, const uint8_t *right, const study_scene *s, int num_disparities, int margin,
+                double *truth, uint8_t *label)
+{
+    stad_pair pairs[32];
+    stad_truth t;
+    target_camera c;
+    static target_scene scene;
+    open_scene(s, &c, &scene);
+    const stad_camera fixed = target_camera_fixed(&c);
+    const int n = pair_frames(left, right, s->width, s->height, pairs);
+    int status = stad_truth_init(&t, s->width, s->height, 0, num_disparities, margin);
+    if (status >= 0)
+        status = stad_truth_from_target(&t, target_of(s->relief), pairs, n, &fixed);
+    int32_t *row = malloc(sizeof *row * (size_t)s->width);
+    for (int y = 0; y < s->height && status >= 0; y++) {
+        stad_truth_row(&t, y, s->width, row, label + y * s->width);
+        for (int x = 0; x < s->width; x++)
+            truth[y * s->width + x] = row[x] / 65536.0;
+    }
+    free(row);
+    return status;
+}
+
+/* Fits the rig to `frames` pairs of images; numbers: verdict, a, b, c, rms before, after, worst, advised. */
+int study_rig(const uint8_t *left, const uint8_t *right, int frames, int width, int height, stad_rig *rig, double *numbers)
+{
+    stad_pair pairs[1024];
+    stad_rig_report report;
+    int n = 0;
+    for (int i = 0; i < frames && n <= 992; i++)
+        n += pair_frames(left + (size_t)i * (size_t)(width * height), right + (size_t)i * (size_t)(width * height), width,
+                         height, pairs + n);
+    const int verdict = stad_rig_fit(rig, &report, pairs, n, width, height);
+    const double values[8] = {verdict, rig->a_q16 / 65536.0, rig->b_q24 / 16777216.0, rig->c_q24 / 16777216.0,
+                              report.rms_before_q8 / 256.0, report.rms_after_q8 / 256.0, report.worst_q8 / 256.0,
+                              report.advised};
+    memcpy(numbers, values, sizeof values);
+    return n;
+}
+
+int study_correct(const stad_rig *rig, const uint8_t *right, int width, int height, uint8_t *out)
+{
+    const stad_image image = stad_image_packed(right, width, height, 1);
+    int status = 0;
+    for (int y = 0; y < height && status >= 0; y++)
+        status = stad_rig_row(rig, &image, y, out + y * width);
+    return status;
+}
