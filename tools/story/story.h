@@ -32,7 +32,8 @@ typedef struct story_frame {
 } story_frame;
 
 target_camera story_camera(int disturbed);
-void story_world_make(story_world *w, int disturbed, unsigned seed);
+/* Renders the first `poses` of them. */
+void story_world_make(story_world *w, int disturbed, int poses, unsigned seed);
 void story_world_free(story_world *w);
 
 /* A frame as the sensors give it: frame->left and ->right are written, which the caller has allocated. */

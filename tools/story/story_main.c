@@ -160,8 +160,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "stad-story: %s\n", t.fail.text);
         return t.fail.status;
     }
-    story_world_make(&t.healthy, 0, 11);
-    story_world_make(&t.disturbed, 1, 12);
+    story_world_make(&t.healthy, 0, 1, 11);
+    story_world_make(&t.disturbed, 1, STORY_POSES, 12);
     int status = tell(&t);
     if (t.fail.text[0])
         fprintf(stderr, "stad-story: %s\n", t.fail.text);

@@ -48,14 +48,14 @@ static void make_truth(const target_scene *scene, const target_camera *camera, i
     free(which);
 }
 
-void story_world_make(story_world *w, int disturbed, unsigned seed)
+void story_world_make(story_world *w, int disturbed, int poses, unsigned seed)
 {
     static target_scene scene;
     const size_t n = (size_t)STORY_WIDTH * STORY_HEIGHT;
     target_camera camera = story_camera(disturbed);
     w->disturbed = disturbed;
     target_random_seed(&w->random, seed);
-    for (int i = 0; i < STORY_POSES; i++) {
+    for (int i = 0; i < poses; i++) {
         target_pose pose = pose_of(i);
         target_scene_clear(&scene);
         target_scene_add_room(&scene, &camera, 450, 2400, 24, 5);

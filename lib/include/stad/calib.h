@@ -15,13 +15,13 @@
  *     }
  *
  * A run:   look for marks (alarm, schedule or stad_calib_start) -> tuning frame -> a frame of another pose to judge by -> correction
- * confirmed on a fresh frame, if the rig needs one -> the target picks a preset -> ncg from there -> the judge decides ->
+ * confirmed on fresh frames, if the rig needs one -> the target picks a preset -> ncg from there -> the judge decides ->
  * save -> probation: live frames, then both sets on one more frame with marks -> done, or rolled back.
  *
  * Nothing is adopted that did not hold on a frame it was not made from. The set in use (stad_calib_setup) changes at two points only:
  * when the decision is made, just before SAVE is asked for, and when it is rolled back.
  *
- * Memory: one struct of less than 8 KB, the workspace of the caller, and two held frame pairs (at least the crop r.box of them). After a
+ * Memory: one struct of less than 10 KB, the workspace of the caller, and two held frame pairs (at least the crop r.box of them). After a
  * reset call stad_calib_init() with the setup that stad_store_load() found: a run that was under way starts over. A struct
  * that survived the reset in retained memory together with the held frames goes on where it was: it holds no pointer but
  * config.target, a constant table.
@@ -103,7 +103,7 @@ enum stad_calib_phase {
     STAD_CALIB_IDLE = 0,
     STAD_CALIB_LOOK = 1,      /* for marks: the tuning frame */
     STAD_CALIB_OTHER = 2,     /* for the target in another pose */
-    STAD_CALIB_CONFIRM = 3,   /* the correction, on a fresh frame */
+    STAD_CALIB_CONFIRM = 3,   /* the correction, on a few fresh frames */
     STAD_CALIB_PICK = 4,      /* presets on the tuning frame */
     STAD_CALIB_TUNE = 5,
     STAD_CALIB_JUDGE = 6,     /* on the other pose */
@@ -149,7 +149,7 @@ typedef struct stad_calib_report {
     uint8_t fault;          /* enum stad_calib_fault */
     uint8_t alarmed;        /* 1: the monitor has asked and no run has ended well since */
     uint8_t verdict_before; /* enum stad_rig_verdict with the correction in use when the run began */
-    uint8_t verdict_after;  /* with the correction of this run, on a fresh frame */
+    uint8_t verdict_after;  /* with the correction of this run, on fresh frames */
     int8_t preset;          /* picked by the target, -1 = none */
     int8_t tuned;           /* 1: the chosen set came from tuning, 0: from the ladder or it is the old one */
     int8_t save_status;     /* of the last save */
@@ -161,7 +161,8 @@ typedef struct stad_calib_report {
 
 /* -- state ----------------------------------------------------------------------------------------------------------------- */
 
-#define STAD_CALIB_PAIRS 8
+#define STAD_CALIB_PAIRS 8  /* of a frame */
+#define STAD_CALIB_POOL  16 /* of the fresh frames that confirm a correction: four frames with four marks */
 
 /* A frame that is held by the application, as far as calib remembers it. */
 typedef struct stad_calib_pose {
@@ -184,6 +185,7 @@ typedef struct stad_calib {
     stad_setup active, previous, candidate;
     stad_calib_pose pose[2];
     stad_calib_view view[2];
+    stad_pair pool[STAD_CALIB_POOL + STAD_CALIB_PAIRS]; /* raw */
     stad_calib_report report;
     stad_tune tune;
     stad_point pick, tuned;      /* the picked preset (or the set in use), the tuner's best */
@@ -192,6 +194,7 @@ typedef struct stad_calib {
     int32_t compared_q20;        /* on probation: the new set's cost */
     int16_t step;                /* within a phase */
     int16_t vain;                /* frames without use */
+    int16_t pooled;
     int16_t trial_frames;        /* live frames of the probation */
     uint8_t scheduled;           /* the run was begun by the schedule: one frame, then leave it */
     uint8_t alarmed_on_trial;
@@ -219,7 +222,7 @@ int stad_calib_want(const stad_calib *c, stad_request *r);
 
 /* Workspace of stad_calib_frame(). */
 #define STAD_CALIB_FRAME_BYTES(width, height) (STAD_MARK_BYTES(width, height) + STAD_CALIB_SCRATCH)
-#define STAD_CALIB_SCRATCH 3072u /* marks and pairs of one frame, and the pairs of two */
+#define STAD_CALIB_SCRATCH 4608u /* marks and pairs of a frame, and copies of the pairs of several */
 size_t stad_calib_frame_bytes(int32_t width, int32_t height);
 
 /* A fresh raw pair. `left` or `right` NULL: it did not come in time. Returns 1: hold the pair in buffer r.hold; 0: used up or

@@ -12,7 +12,8 @@
 /* What a frame's marks need while they are looked at; lies at the front of the caller's workspace. */
 typedef struct scratch {
     stad_mark left[MARKS], right[MARKS];
-    stad_pair pairs[2 * STAD_CALIB_PAIRS]; /* of this frame, then room for those of another */
+    stad_pair pairs[STAD_CALIB_PAIRS]; /* of this frame */
+    stad_pair room[5 * STAD_CALIB_PAIRS]; /* for copies to straighten or string together */
     int32_t count;
 } scratch;
 
@@ -78,14 +79,13 @@ static int see(stad_calib *c, const stad_image *left, const stad_image *right, s
 
 /* -- the rig ------------------------------------------------------------------------------------------------------------------- */
 
-/* What is left of the rows' disagreement with a correction applied; s->pairs holds `count` raw pairs and room for as many. */
-static int verdict_with(const stad_rig *rig, scratch *s, int count, stad_rig_report *report)
+/* What is left of the rows' disagreement of `count` raw pairs with a correction applied; `room` for as many. */
+static int verdict_with(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room, stad_rig_report *report)
 {
     stad_rig rest;
-    stad_pair *copy = s->pairs + STAD_CALIB_PAIRS;
-    memcpy(copy, s->pairs, (size_t)count * sizeof *copy);
-    stad_rig_straighten(rig, copy, count);
-    return stad_rig_fit(&rest, report, copy, count, rig->width, rig->height);
+    memcpy(room, pairs, (size_t)count * sizeof *room);
+    stad_rig_straighten(rig, room, count);
+    return stad_rig_fit(&rest, report, room, count, rig->width, rig->height);
 }
 
 static void set_rig(stad_calib *c, const stad_rig *rig)
@@ -151,12 +151,12 @@ static int make_truth(const stad_calib *c, stad_calib_pose *pose, const stad_rig
     return STAD_FAULT_NONE;
 }
 
-static int keep_pose(stad_calib *c, int which, const stad_rig *rig, scratch *s)
+static int keep_pose(stad_calib *c, const stad_rig *rig, scratch *s)
 {
-    stad_calib_pose *pose = &c->pose[which];
+    stad_calib_pose *pose = &c->pose[0];
     memcpy(pose->pairs, s->pairs, (size_t)s->count * sizeof *s->pairs);
     pose->count = s->count;
-    return make_truth(c, pose, rig, s->pairs + STAD_CALIB_PAIRS);
+    return make_truth(c, pose, rig, s->room);
 }
 
 /* -- the phases ------------------------------------------------------------------------------------------------------------------ */
@@ -164,7 +164,7 @@ static int keep_pose(stad_calib *c, int which, const stad_rig *rig, scratch *s)
 static int look(stad_calib *c, scratch *s)
 {
     stad_rig_report rest;
-    c->report.verdict_before = (uint8_t)verdict_with(&c->active.rig, s, s->count, &rest);
+    c->report.verdict_before = (uint8_t)verdict_with(&c->active.rig, s->pairs, s->count, s->room, &rest);
     c->report.verdict_after = c->report.verdict_before;
     c->report.rig = rest;
     if (c->report.verdict_before == STAD_RIG_GOOD && c->scheduled && !c->report.alarmed) {
@@ -173,7 +173,9 @@ static int look(stad_calib *c, scratch *s)
     }
     int fault = choose_correction(c, s->pairs, s->count);
     if (fault == STAD_FAULT_NONE)
-        fault = keep_pose(c, 0, &c->candidate.rig, s);
+        fault = keep_pose(c, &c->candidate.rig, s);
+    c->pose[1].count = 0;
+    c->pooled = 0;
     if (fault == STAD_FAULT_NONE)
         stad_calib_enter(c, STAD_CALIB_OTHER);
     return fault;
@@ -199,18 +201,34 @@ static int is_another_pose(const stad_calib *c, const scratch *s)
     return sum >= 256 * c->config.pose_px * n;
 }
 
-/* The correction once more, from the corners of both frames, and both truths with it. */
+static int string_up(stad_pair *out, int n, const stad_pair *more, int count)
+{
+    memcpy(out + n, more, (size_t)count * sizeof *out);
+    return n + count;
+}
+
+/* The correction from the corners of both poses and the pool of fresh frames, and the truths with it. */
+static int refit(stad_calib *c, scratch *s)
+{
+    int n = string_up(s->room, 0, c->pool, c->pooled);
+    n = string_up(s->room, n, c->pose[0].pairs, c->pose[0].count);
+    n = string_up(s->room, n, c->pose[1].pairs, c->pose[1].count);
+    int fault = choose_correction(c, s->room, n);
+    for (int i = 0; i < 2 && fault == STAD_FAULT_NONE; i++)
+        if (c->pose[i].count > 0)
+            fault = make_truth(c, &c->pose[i], &c->candidate.rig, s->room);
+    return fault;
+}
+
 static int other(stad_calib *c, scratch *s)
 {
-    stad_calib_pose *first = &c->pose[0];
-    memcpy(s->pairs + s->count, first->pairs, (size_t)first->count * sizeof *first->pairs);
-    int fault = choose_correction(c, s->pairs, s->count + first->count);
-    if (fault == STAD_FAULT_NONE)
-        fault = keep_pose(c, 1, &c->candidate.rig, s);
-    if (fault == STAD_FAULT_NONE)
-        fault = make_truth(c, first, &c->candidate.rig, s->pairs + STAD_CALIB_PAIRS);
-    if (fault != STAD_FAULT_NONE)
+    memcpy(c->pose[1].pairs, s->pairs, (size_t)s->count * sizeof *s->pairs);
+    c->pose[1].count = s->count;
+    int fault = refit(c, s);
+    if (fault != STAD_FAULT_NONE) {
+        c->pose[1].count = 0;
         return fault;
+    }
     if (rig_is_new(c))
         stad_calib_enter(c, STAD_CALIB_CONFIRM);
     else
@@ -218,32 +236,50 @@ static int other(stad_calib *c, scratch *s)
     return fault;
 }
 
-static int confirm(stad_calib *c, scratch *s)
+/* The corners of the fresh frames agree, by the verdict, with the correction. */
+static void confirmed(stad_calib *c, int verdict)
 {
-    stad_rig_report rest;
-    int verdict = verdict_with(&c->candidate.rig, s, s->count, &rest);
-    if (verdict < 0 || verdict > STAD_RIG_WATCH || verdict >= c->report.verdict_before)
-        return STAD_FAULT_RIG;
     c->report.verdict_after = (uint8_t)verdict;
-    if (c->step == 0) {
+    if (c->pose[1].count > 0) {
         stad_calib_trial_begin(c);
-        return STAD_FAULT_NONE;
+        return;
     }
     c->candidate.params = c->active.params; /* no other pose to judge parameters by */
     stad_calib_adopt(c);
-    return STAD_FAULT_NONE;
+}
+
+/* Fresh frames are pooled until they are as many as the noise of corners asks for. Not GOOD at first: fit once more with them,
+ * and ask fresh ones again. */
+static int confirm(stad_calib *c, scratch *s)
+{
+    stad_rig_report rest;
+    c->vain = -1; /* this frame is of use */
+    c->pooled = (int16_t)string_up(c->pool, c->pooled, s->pairs, s->count);
+    if (c->pooled < STAD_CALIB_POOL)
+        return STAD_FAULT_NONE;
+    int verdict = verdict_with(&c->candidate.rig, c->pool, c->pooled, s->room, &rest);
+    int fault = STAD_FAULT_NONE;
+    if (verdict == STAD_RIG_GOOD || (c->step > 0 && verdict == STAD_RIG_WATCH && verdict < c->report.verdict_before))
+        confirmed(c, verdict);
+    else if (c->step == 0)
+        fault = refit(c, s);
+    else
+        stad_calib_finish(c, STAD_CALIB_RIG_FAILED);
+    c->step = c->report.phase == STAD_CALIB_CONFIRM ? 1 : c->step;
+    c->pooled = 0;
+    return fault;
 }
 
 static int recheck(stad_calib *c, scratch *s)
 {
     stad_rig_report now, was;
-    int with_new = verdict_with(&c->active.rig, s, s->count, &now);
-    int with_old = verdict_with(&c->previous.rig, s, s->count, &was);
+    int with_new = verdict_with(&c->active.rig, s->pairs, s->count, s->room, &now);
+    int with_old = verdict_with(&c->previous.rig, s->pairs, s->count, s->room, &was);
     if (with_new > with_old) {
         stad_calib_roll_back(c);
         return STAD_FAULT_NONE;
     }
-    int fault = keep_pose(c, 0, &c->active.rig, s);
+    int fault = keep_pose(c, &c->active.rig, s);
     if (fault == STAD_FAULT_NONE)
         stad_calib_enter(c, STAD_CALIB_COMPARE);
     return fault;
@@ -289,7 +325,6 @@ static void give_up(stad_calib *c)
     int phase = c->report.phase;
     if (phase == STAD_CALIB_OTHER && rig_is_new(c)) {
         stad_calib_enter(c, STAD_CALIB_CONFIRM);
-        c->step = 1;
     } else if (phase == STAD_CALIB_OTHER) {
         stad_calib_finish(c, STAD_CALIB_NO_POSE);
     } else if (phase == STAD_CALIB_CONFIRM) {
