@@ -37,7 +37,7 @@ enum reference_mend {
 /* Name of mend number i (0 .. MEND_COUNT - 1), as the option --mend takes it. */
 const char *reference_mend_name(int i);
 
-/* What lies beyond OpenCV (docs/SPEC.md, section 10): each pointer may be NULL; the maps have width * height values. */
+/* What lies beyond OpenCV (docs/SPEC.md, section 11): each pointer may be NULL; the maps have width * height values. */
 typedef struct reference_extras {
     int32_t considered, firm, rejected_uniqueness, rejected_check, valid, rejected_speckle;
     int16_t *right_q4;
