@@ -34,7 +34,7 @@
     ((memory) == 1 && (mode) != 2 && (p2) <= 255 && STAD_COST_SAFE(cn, b, p2, cap))
 
 /* One lane: fence, then width + 1 slots of D cells and their padding; then one least value a slot. */
-#define STAD_LANE_PAD(memory) ((memory) == 1 ? (size_t)1 : (size_t)8)
+#define STAD_LANE_PAD(memory) ((memory) == 1 ? (size_t)1 : (size_t)16)
 #define STAD_LANE_CELLS(w, d, memory) \
     (32 + STAD_CELLS(w, d) + (size_t)(d) + STAD_LANE_PAD(memory) * ((size_t)(w) + 2))
 #define STAD_LANE_BYTES(w, d, memory, narrow) \
@@ -111,7 +111,7 @@
          : (size_t)0)
 
 /* One run of block costs, two horizontal lanes, two running sums. */
-#define STAD_ACROSS_BYTES(d) (STAD_BYTES_UP(2 * (32 + 2 * ((size_t)(d) + 8))) + STAD_BYTES_UP(4))
+#define STAD_ACROSS_BYTES(d) (STAD_BYTES_UP(2 * (32 + 2 * ((size_t)(d) + 16))) + STAD_BYTES_UP(4))
 #define STAD_PART_RUN(d)     (STAD_BYTES_UP(2 * STAD_RUN * (size_t)(d)) + 2 * STAD_ACROSS_BYTES(d) + 2 * STAD_BYTES_UP(2 * (size_t)(d)))
 
 /* Three rows each of raw disparities, votes of the right view and confidence; the votes' costs; one run of winners. */

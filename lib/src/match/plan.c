@@ -129,7 +129,7 @@ static void bind_totals(stad_frame *f, uint8_t *part)
 static stad_lane take_across(uint8_t **rest, int32_t disparities)
 {
     stad_lane lane = {NULL, NULL, 2, 0};
-    lane.cost = take_i16(rest, 2 * (32 + 2 * ((size_t)disparities + 8))) + 16;
+    lane.cost = take_i16(rest, 2 * (32 + 2 * ((size_t)disparities + 16))) + 16;
     lane.least = take_i16(rest, 4);
     return lane;
 }

@@ -40,21 +40,20 @@ static inline int32_t clamp_column(int32_t x, int32_t columns)
     return x < 0 ? 0 : x < columns ? x : columns - 1;
 }
 
-/* Disparities outside, columns inside: the running sum stays in a register. disparities is a multiple of VEC_LANES. */
+/* disparities is a multiple of VEC_LANES. */
 void STAD_TIER(stad_slide_row)(const stad_slide_job *job, int16_t *block)
 {
     const int32_t n = job->disparities, r = job->radius, last = job->columns;
     for (int32_t d = 0; d < n; d += VEC_LANES) {
-        const int16_t *sum = job->sum + d;
         vec run = vec_set(job->p2);
         for (int32_t j = -r; j <= r; j++)
-            run = vec_add(run, vec_load(sum + (ptrdiff_t)clamp_column(job->x + j, last) * n));
+            run = vec_add(run, vec_load(job->sum + (ptrdiff_t)clamp_column(job->x + j, last) * n + d));
         vec_store(block + d, run);
-        for (int32_t i = 1; i < job->count; i++) {
-            const int16_t *in = sum + (ptrdiff_t)clamp_column(job->x + i + r, last) * n;
-            const int16_t *out = sum + (ptrdiff_t)clamp_column(job->x + i - r - 1, last) * n;
-            run = vec_add(run, vec_sub(vec_load(in), vec_load(out)));
-            vec_store(block + (ptrdiff_t)i * n + d, run);
-        }
+    }
+    for (int32_t i = 1; i < job->count; i++, block += n) {
+        const int16_t *in = job->sum + (ptrdiff_t)clamp_column(job->x + i + r, last) * n;
+        const int16_t *out = job->sum + (ptrdiff_t)clamp_column(job->x + i - r - 1, last) * n;
+        for (int32_t d = 0; d < n; d += VEC_LANES)
+            vec_store(block + n + d, vec_add(vec_load(block + d), vec_sub(vec_load(in + d), vec_load(out + d))));
     }
 }

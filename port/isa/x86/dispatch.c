@@ -8,9 +8,9 @@
 
 #include "kernel/kernel.h"
 
-enum tier { TIER_C, TIER_SSE41, TIER_AVX2, TIER_COUNT };
+enum tier { TIER_C, TIER_SSE41, TIER_AVX2, TIER_AVX512, TIER_COUNT };
 
-static const char *const tier_names[TIER_COUNT] = {"c", "sse41", "avx2"};
+static const char *const tier_names[TIER_COUNT] = {"c", "sse41", "avx2", "avx512"};
 
 static int find_tier(void)
 {
@@ -20,6 +20,8 @@ static int find_tier(void)
         tier = TIER_SSE41;
     if (__builtin_cpu_supports("avx2"))
         tier = TIER_AVX2;
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw"))
+        tier = TIER_AVX512;
     for (int i = 0; mask && i < tier; i++)
         if (strcmp(mask, tier_names[i]) == 0)
             tier = i;
@@ -39,16 +41,18 @@ const char *stad_x86_tier_name(void)
     return tier_names[stad_x86_tier()];
 }
 
-/* A kernel whose widest form needs `lanes` to divide n; 8 always does (kernel.h). */
+/* The widest tier whose 16-bit lanes divide n; 8 of them always do (kernel.h). */
 static int tier_for(int32_t n)
 {
-    const int tier = stad_x86_tier();
-    return tier == TIER_AVX2 && n % 16 != 0 ? TIER_SSE41 : tier;
+    const int tier = stad_x86_tier(), fitting = n % 32 == 0 ? TIER_AVX512 : n % 16 == 0 ? TIER_AVX2 : TIER_SSE41;
+    return tier < fitting ? tier : fitting;
 }
 
 #define STAD_DISPATCH(tier, kernel, arguments) \
     do { \
-        if ((tier) == TIER_AVX2) \
+        if ((tier) == TIER_AVX512) \
+            kernel##_avx512 arguments; \
+        else if ((tier) == TIER_AVX2) \
             kernel##_avx2 arguments; \
         else if ((tier) == TIER_SSE41) \
             kernel##_sse41 arguments; \

@@ -4,9 +4,16 @@
  * The recurrence of kernel/path_row.c in one vector operation less (all lanes unsigned, C cannot saturate):
  *     L = C - max(floor(delta - p), floor(delta - p1 - min(p[d-1], p[d+1]))),   delta = m + p2, floor(v) = max(v, 0)
  * The horizontal lane reads what the pixel before has just stored: its neighbours come by lane shifts, because an unaligned
- * load across two fresh stores would have to wait for both. */
+ * load across two fresh stores would have to wait for both; its least value stays in a register for the same reason. The
+ * other lanes load their neighbours, except where one permutation reaches across the whole vector (VEC_SHIFT_ALWAYS). */
 
 enum total_use { TOTAL_NONE, TOTAL_FRESH, TOTAL_ADD };
+
+/* Penalties in all lanes, the horizontal lane's least value so far, and D. */
+typedef struct course {
+    vec p1, p2, across_least;
+    int32_t disparities, stride;
+} course;
 
 typedef struct walker {
     const int16_t *from;
@@ -14,12 +21,12 @@ typedef struct walker {
     vec delta, ceiling, least;
 } walker;
 
-static inline walker walk(const stad_path_job *job, stad_lane *lane)
+static inline walker walk(const course *c, stad_lane *lane, int shifted)
 {
     const int32_t to = lane->write, from = to + 1 == lane->slots ? 0 : to + 1;
-    const int delta = lane->least[from] + job->p2;
-    walker w = {lane->cost + (ptrdiff_t)from * job->stride, lane->cost + (ptrdiff_t)to * job->stride, lane->least + to,
-                vec_set(delta), vec_set(delta - job->p1), vec_set(STAD_COST_MAX)};
+    const vec delta = vec_add(shifted ? c->across_least : vec_set(lane->least[from]), c->p2);
+    walker w = {lane->cost + (ptrdiff_t)from * c->stride, lane->cost + (ptrdiff_t)to * c->stride, lane->least + to,
+                delta, vec_sub(delta, c->p1), vec_set(STAD_COST_MAX)};
     lane->write = from;
     return w;
 }
@@ -39,11 +46,6 @@ static inline vec step_loaded(walker *w, int32_t d, vec block)
     return step(w, d, block, vec_load(w->from + d), side);
 }
 
-static inline void leave(const walker *w)
-{
-    *w->least_to = (int16_t)vec_least(w->least);
-}
-
 static inline void put_total(int16_t *total, int32_t d, vec sum, enum total_use use)
 {
     if (use == TOTAL_ADD)
@@ -52,70 +54,119 @@ static inline void put_total(int16_t *total, int32_t d, vec sum, enum total_use 
         vec_store(total + d, sum);
 }
 
-/* One pixel of one or two lanes; `shifted`: the first is the horizontal one. The flags are constants where it is inlined. */
-static inline __attribute__((always_inline)) void pixel(const stad_path_job *job, const int16_t *block, int16_t *total,
-                                                        stad_lane *lanes, int two, int shifted, enum total_use use)
+/* A lane read vector by vector: what lies before the current vector, and what joins them. */
+typedef struct reader {
+    vec before, here;
+    vec_seam left;
+} reader;
+
+static inline reader read_from(const walker *w)
 {
-    const int32_t n = job->disparities;
-    walker a = walk(job, &lanes[0]), b = two ? walk(job, &lanes[1]) : a;
-    vec before = vec_set(STAD_COST_MAX), here = vec_load(a.from);
+    const vec before = vec_set(STAD_COST_MAX), here = vec_load(w->from);
+    reader r = {before, here, vec_join(before, here)};
+    return r;
+}
+
+static inline vec step_shifted(walker *w, reader *r, int32_t d, int32_t n, vec block)
+{
+    const vec after = d + VEC_LANES < n ? vec_load(w->from + d + VEC_LANES) : vec_set(STAD_COST_MAX);
+    const vec_seam right = vec_join(r->here, after);
+    const vec side = vec_min(vec_behind(r->left, r->before, r->here), vec_ahead(r->here, after, right));
+    const vec path = step(w, d, block, r->here, side);
+    r->left = right;
+    r->before = r->here;
+    r->here = after;
+    return path;
+}
+
+/* One pixel of one or two lanes; `shifted`: the first is the horizontal one. The flags are constants where it is inlined. */
+static inline __attribute__((always_inline)) void pixel(course *c, const int16_t *block, int16_t *total, stad_lane *lanes,
+                                                        int two, int shifted, enum total_use use)
+{
+    const int32_t n = c->disparities;
+    walker a = walk(c, &lanes[0], shifted), b = two ? walk(c, &lanes[1], 0) : a;
+    reader from_a = read_from(&a), from_b = read_from(&b);
     for (int32_t d = 0; d < n; d += VEC_LANES) {
-        const vec c = vec_load(block + d);
-        vec sum;
-        if (shifted) {
-            const vec after = d + VEC_LANES < n ? vec_load(a.from + d + VEC_LANES) : vec_set(STAD_COST_MAX);
-            sum = step(&a, d, c, here, vec_min(vec_behind(before, here), vec_ahead(here, after)));
-            before = here;
-            here = after;
-        } else {
-            sum = step_loaded(&a, d, c);
-        }
+        const vec cost = vec_load(block + d);
+        vec sum = shifted || VEC_SHIFT_ALWAYS ? step_shifted(&a, &from_a, d, n, cost) : step_loaded(&a, d, cost);
         if (two) {
-            const vec other = step_loaded(&b, d, c);
+            const vec other = VEC_SHIFT_ALWAYS ? step_shifted(&b, &from_b, d, n, cost) : step_loaded(&b, d, cost);
             sum = use == TOTAL_NONE ? sum : vec_add_sat(sum, other);
         }
         put_total(total, d, sum, use);
     }
-    leave(&a);
+    if (shifted)
+        c->across_least = vec_spread_least(a.least);
+    *a.least_to = (int16_t)vec_least(a.least);
     if (two)
-        leave(&b);
+        *b.least_to = (int16_t)vec_least(b.least);
 }
 
-static inline __attribute__((always_inline)) void lanes_of_pixel(const stad_path_job *job, ptrdiff_t at, stad_lane *lanes,
-                                                                 int32_t count, enum total_use first, enum total_use later)
+/* All lanes of one pixel: the horizontal one, if any, is the first (kernel.h). */
+static inline __attribute__((always_inline)) void pixel_lanes(course *c, const int16_t *block, int16_t *total,
+                                                              stad_lane *lanes, int32_t count, int shifted,
+                                                              enum total_use first, enum total_use later)
 {
-    const int16_t *block = job->block + at;
-    int16_t *total = first == TOTAL_NONE ? NULL : job->total + at;
-    int32_t k = 0;
-    if (lanes[0].slots == 2) {
-        k = count > 1 ? 2 : 1;
-        if (k == 2)
-            pixel(job, block, total, lanes, 1, 1, first);
-        else
-            pixel(job, block, total, lanes, 0, 1, first);
-    } else if (count > 1) {
-        k = 2;
-        pixel(job, block, total, lanes, 1, 0, first);
-    } else {
-        k = 1;
-        pixel(job, block, total, lanes, 0, 0, first);
-    }
-    if (count - k == 2)
-        pixel(job, block, total, lanes + k, 1, 0, later);
-    else if (count - k == 1)
-        pixel(job, block, total, lanes + k, 0, 0, later);
+    const int32_t pair = count > 1 ? 2 : 1;
+    pixel(c, block, total, lanes, pair == 2, shifted, first);
+    if (count > 2)
+        pixel(c, block, total, lanes + 2, count == 4, 0, later);
 }
+
+static inline __attribute__((always_inline)) void run_of(const stad_path_job *job, stad_lane *lanes, int32_t count,
+                                                         int shifted, enum total_use first, enum total_use later)
+{
+    const ptrdiff_t to_next = (ptrdiff_t)job->step * job->disparities;
+    course c = {vec_set(job->p1), vec_set(job->p2), vec_set(0), job->disparities, job->stride};
+    const int16_t *block = job->block;
+    int16_t *total = job->total;
+    if (shifted)
+        c.across_least = vec_set(lanes[0].least[1 - lanes[0].write]);
+    for (int32_t i = 0; i < job->count; i++, block += to_next) {
+        pixel_lanes(&c, block, total, lanes, count, shifted, first, later);
+        if (first != TOTAL_NONE)
+            total += to_next;
+    }
+}
+
+#define STAD_RUN_OF(count, shifted) \
+    do { \
+        if (!job->total) \
+            run_of(job, lanes, count, shifted, TOTAL_NONE, TOTAL_NONE); \
+        else if (job->fresh) \
+            run_of(job, lanes, count, shifted, TOTAL_FRESH, TOTAL_ADD); \
+        else \
+            run_of(job, lanes, count, shifted, TOTAL_ADD, TOTAL_ADD); \
+    } while (0)
 
 void STAD_TIER(stad_path_row)(const stad_path_job *job, stad_lane *lanes, int32_t lane_count)
 {
-    const ptrdiff_t step_cells = (ptrdiff_t)job->step * job->disparities;
-    for (int32_t i = 0; i < job->count; i++) {
-        if (!job->total)
-            lanes_of_pixel(job, i * step_cells, lanes, lane_count, TOTAL_NONE, TOTAL_NONE);
-        else if (job->fresh)
-            lanes_of_pixel(job, i * step_cells, lanes, lane_count, TOTAL_FRESH, TOTAL_ADD);
-        else
-            lanes_of_pixel(job, i * step_cells, lanes, lane_count, TOTAL_ADD, TOTAL_ADD);
+    const int shifted = lanes[0].slots == 2;
+    switch (lane_count * 2 + shifted) {
+    case 2:
+        STAD_RUN_OF(1, 0);
+        break;
+    case 3:
+        STAD_RUN_OF(1, 1);
+        break;
+    case 4:
+        STAD_RUN_OF(2, 0);
+        break;
+    case 5:
+        STAD_RUN_OF(2, 1);
+        break;
+    case 6:
+        STAD_RUN_OF(3, 0);
+        break;
+    case 7:
+        STAD_RUN_OF(3, 1);
+        break;
+    case 8:
+        STAD_RUN_OF(4, 0);
+        break;
+    default:
+        STAD_RUN_OF(4, 1);
+        break;
     }
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * port/isa/x86/port_x86.h - the kernels of each tier; contracts: kernel/kernel.h. The _sse41 and _avx2 forms take every
+ * port/isa/x86/port_x86.h - the kernels of each tier; contracts: kernel/kernel.h. The tiers take every
  * size the contract allows; what a vector does not fit they finish in narrower steps. */
 #ifndef STAD_PORT_X86_H
 #define STAD_PORT_X86_H
@@ -55,8 +55,25 @@ void stad_best_row_avx2(const int16_t *total, int32_t count, int32_t disparities
 void stad_best_row_3way_avx2(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_median_row_avx2(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
-/* The widest tier in use: 0 C, 1 SSE4.1, 2 AVX2. What the CPU has, lowered by the environment variable STAD_ISA (c, sse41,
- * avx2), read once. */
+/* -- 512-bit vectors -- */
+void stad_prefilter_row_avx512(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
+                           int32_t cap, uint8_t *planes);
+void stad_range_row_avx512(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
+void stad_cost_row_u8_avx512(const stad_cost_job *job, uint8_t *cost);
+void stad_cost_row_u16_avx512(const stad_cost_job *job, uint16_t *cost);
+void stad_box_add_row_u8_avx512(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight);
+void stad_box_add_row_u16_avx512(int16_t *sum, const uint16_t *cost, int32_t n, int32_t weight);
+void stad_box_move_row_u8_avx512(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n);
+void stad_box_move_row_u16_avx512(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n);
+void stad_slide_row_avx512(const stad_slide_job *job, int16_t *block);
+void stad_path_row_avx512(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
+void stad_gather_row_avx512(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
+void stad_best_row_avx512(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_best_row_3way_avx512(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_median_row_avx512(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
+
+/* The widest tier in use: 0 C, 1 SSE4.1, 2 AVX2, 3 AVX-512 (F, BW). What the CPU has, lowered by the environment variable STAD_ISA (c, sse41,
+ * avx2, avx512), read once. */
 int stad_x86_tier(void);
 const char *stad_x86_tier_name(void);
 

@@ -8,6 +8,7 @@
 
 #define STAD_TIER(name) name##_avx2
 #define VEC_LANES       16
+#define VEC_SHIFT_ALWAYS 0
 
 typedef __m256i vec;
 
@@ -40,9 +41,7 @@ static inline vec vec_set(int v)
 #define vec_mul(a, b)    _mm256_mullo_epi16(a, b)
 #define vec_add_sat(a, b) _mm256_adds_epi16(a, b)
 #define vec_sub_floor(a, b) _mm256_subs_epu16(a, b) /* max(a - b, 0) for lanes read as unsigned */
-#define vec_equal(a, b)  _mm256_cmpeq_epi16(a, b)
 #define vec_and(a, b)    _mm256_and_si256(a, b)
-#define vec_or(a, b)     _mm256_or_si256(a, b)
 #define vec_shift_right(a, n) _mm256_srli_epi16(a, n)
 #define vec_min_u8(a, b) _mm256_min_epu8(a, b)
 #define vec_max_u8(a, b) _mm256_max_epu8(a, b)
@@ -51,9 +50,12 @@ static inline vec vec_set(int v)
 #define vec_mean_up_u8(a, b) _mm256_avg_epu8(a, b)
 #define vec_xor(a, b)    _mm256_xor_si256(a, b)
 
-/* The lane before each lane of `here`; its first lane takes the last of `before`. And the mirror image. */
-#define vec_behind(before, here) _mm256_alignr_epi8(here, _mm256_permute2x128_si256(before, here, 0x21), 14)
-#define vec_ahead(here, after)   _mm256_alignr_epi8(_mm256_permute2x128_si256(here, after, 0x21), here, 2)
+/* The lane before each lane of `here`, its first lane the last of the vector before, and the mirror image. A seam is the
+ * upper half of one vector and the lower half of the next: both shifts across it share it. */
+typedef vec vec_seam;
+#define vec_join(here, after)         _mm256_permute2x128_si256(here, after, 0x21)
+#define vec_behind(seam, before, here) _mm256_alignr_epi8(here, seam, 14)
+#define vec_ahead(here, after, seam)   _mm256_alignr_epi8(seam, here, 2)
 
 /* Bytes in reverse order. */
 static inline vec vec_reverse_u8(vec v)
@@ -71,6 +73,13 @@ static inline int vec_least(vec v)
     return _mm_extract_epi16(_mm_minpos_epu16(half), 0);
 }
 
+/* The least lane in all lanes; all >= 0. */
+static inline vec vec_spread_least(vec v)
+{
+    const __m128i half = _mm_min_epi16(_mm256_castsi256_si128(v), _mm256_extracti128_si256(v, 1));
+    return _mm256_broadcastw_epi16(_mm_minpos_epu16(half));
+}
+
 /* The least lane, of either sign. */
 static inline int vec_least_signed(vec v)
 {
@@ -79,10 +88,11 @@ static inline int vec_least_signed(vec v)
     return _mm_extract_epi16(_mm_minpos_epu16(half), 0) + INT16_MIN;
 }
 
-/* One bit a lane of two comparison masks, lane order, the first mask's low. */
-static inline uint32_t vec_bits(vec a, vec b)
+/* One bit a lane of two vectors, the first one's low: is it equal to `wanted`? */
+static inline uint64_t vec_equal_bits(vec a, vec b, vec wanted)
 {
-    return (uint32_t)_mm256_movemask_epi8(_mm256_permute4x64_epi64(_mm256_packs_epi16(a, b), 0xD8));
+    const vec both = _mm256_packs_epi16(_mm256_cmpeq_epi16(a, wanted), _mm256_cmpeq_epi16(b, wanted));
+    return (uint32_t)_mm256_movemask_epi8(_mm256_permute4x64_epi64(both, 0xD8));
 }
 
 /* Two vectors of 16-bit lanes <= 255 to bytes, in order. */

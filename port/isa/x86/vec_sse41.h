@@ -8,6 +8,7 @@
 
 #define STAD_TIER(name) name##_sse41
 #define VEC_LANES       8
+#define VEC_SHIFT_ALWAYS 0
 
 typedef __m128i vec;
 
@@ -40,9 +41,7 @@ static inline vec vec_set(int v)
 #define vec_mul(a, b)    _mm_mullo_epi16(a, b)
 #define vec_add_sat(a, b) _mm_adds_epi16(a, b)
 #define vec_sub_floor(a, b) _mm_subs_epu16(a, b) /* max(a - b, 0) for lanes read as unsigned */
-#define vec_equal(a, b)  _mm_cmpeq_epi16(a, b)
 #define vec_and(a, b)    _mm_and_si128(a, b)
-#define vec_or(a, b)     _mm_or_si128(a, b)
 #define vec_shift_right(a, n) _mm_srli_epi16(a, n)
 #define vec_min_u8(a, b) _mm_min_epu8(a, b)
 #define vec_max_u8(a, b) _mm_max_epu8(a, b)
@@ -51,9 +50,12 @@ static inline vec vec_set(int v)
 #define vec_mean_up_u8(a, b) _mm_avg_epu8(a, b)
 #define vec_xor(a, b)    _mm_xor_si128(a, b)
 
-/* The lane before each lane of `here`; its first lane takes the last of `before`. And the mirror image. */
-#define vec_behind(before, here) _mm_alignr_epi8(here, before, 14)
-#define vec_ahead(here, after)   _mm_alignr_epi8(after, here, 2)
+/* The lane before each lane of `here`, its first lane the last of the vector before, and the mirror image. A seam is what
+ * wider vectors need to shift across their middle: nothing here. */
+typedef int vec_seam;
+#define vec_join(here, after)         0
+#define vec_behind(seam, before, here) ((void)(seam), _mm_alignr_epi8(here, before, 14))
+#define vec_ahead(here, after, seam)   ((void)(seam), _mm_alignr_epi8(after, here, 2))
 
 /* Bytes in reverse order. */
 static inline vec vec_reverse_u8(vec v)
@@ -67,6 +69,12 @@ static inline int vec_least(vec v)
     return _mm_extract_epi16(_mm_minpos_epu16(v), 0);
 }
 
+/* The least lane in all lanes; all >= 0. */
+static inline vec vec_spread_least(vec v)
+{
+    return _mm_shuffle_epi8(_mm_minpos_epu16(v), _mm_set1_epi16(0x0100));
+}
+
 /* The least lane, of either sign. */
 static inline int vec_least_signed(vec v)
 {
@@ -74,10 +82,10 @@ static inline int vec_least_signed(vec v)
     return _mm_extract_epi16(_mm_minpos_epu16(half), 0) + INT16_MIN;
 }
 
-/* One bit a lane of two comparison masks, lane order, the first mask's low. */
-static inline uint32_t vec_bits(vec a, vec b)
+/* One bit a lane of two vectors, the first one's low: is it equal to `wanted`? */
+static inline uint64_t vec_equal_bits(vec a, vec b, vec wanted)
 {
-    return (uint32_t)_mm_movemask_epi8(_mm_packs_epi16(a, b));
+    return (uint32_t)_mm_movemask_epi8(_mm_packs_epi16(_mm_cmpeq_epi16(a, wanted), _mm_cmpeq_epi16(b, wanted)));
 }
 
 /* Two vectors of 16-bit lanes <= 255 to bytes, in order. */
