@@ -33,27 +33,46 @@ void STAD_TIER(stad_box_move_row_u16)(int16_t *sum, const uint16_t *in, const ui
     stad_box_move_row_u16_c(sum + i, in + i, out + i, n - i);
 }
 
+/* Column x of the sums, and how far to the next one: columns outside repeat the border. */
 static inline const int16_t *sum_column(const stad_slide_job *job, int32_t x)
 {
     const int32_t last = job->columns - 1;
     return job->sum + (ptrdiff_t)(x < 0 ? 0 : x < last ? x : last) * job->disparities;
 }
 
-static void slide_column(int16_t *to, const int16_t *from, const int16_t *in, const int16_t *out, int32_t n)
+static inline ptrdiff_t to_next(const stad_slide_job *job, int32_t x)
 {
-    for (int32_t d = 0; d < n; d += 8)
-        vec_store(to + d, vec_add(vec_load(from + d), vec_sub(vec_load(in + d), vec_load(out + d))));
+    return x >= 0 && x < job->columns - 1 ? job->disparities : 0;
+}
+
+/* Eight disparities of the whole run, the running sum in a register. `inside`: no column repeats. */
+static inline __attribute__((always_inline)) void slide_eight(const stad_slide_job *job, int32_t d, int inside,
+                                                              int16_t *to)
+{
+    const ptrdiff_t n = job->disparities;
+    const int16_t *in = sum_column(job, job->x - job->radius) + d, *out = in;
+    vec run = vec_set(job->p2);
+    for (int32_t x = job->x - job->radius; x <= job->x + job->radius; x++) {
+        run = vec_add(run, vec_load(in));
+        in += inside ? n : to_next(job, x);
+    }
+    vec_store(to, run);
+    for (int32_t i = job->count - 1, x = job->x; i > 0; i--, x++) {
+        run = vec_add(run, vec_sub(vec_load(in), vec_load(out)));
+        to += n;
+        vec_store(to, run);
+        in += inside ? n : to_next(job, x + job->radius + 1);
+        out += inside ? n : to_next(job, x - job->radius);
+    }
 }
 
 void STAD_TIER(stad_slide_row)(const stad_slide_job *job, int16_t *block)
 {
-    const int32_t n = job->disparities, r = job->radius;
-    for (int32_t d = 0; d < n; d += 8) {
-        vec run = vec_set(job->p2);
-        for (int32_t j = -r; j <= r; j++)
-            run = vec_add(run, vec_load(sum_column(job, job->x + j) + d));
-        vec_store(block + d, run);
+    const int inside = job->x >= job->radius && job->x + job->count + job->radius <= job->columns;
+    for (int32_t d = 0; d < job->disparities; d += 8) {
+        if (inside)
+            slide_eight(job, d, 1, block + d);
+        else
+            slide_eight(job, d, 0, block + d);
     }
-    for (int32_t i = 1; i < job->count; i++, block += n)
-        slide_column(block + n, block, sum_column(job, job->x + i + r), sum_column(job, job->x + i - r - 1), n);
 }

@@ -22,8 +22,8 @@ static inline plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_
 
 static inline vec distance(const plane_pair *p, ptrdiff_t width, int32_t d)
 {
-    const vec value = vec_load(p->right + d), low = vec_load(p->right + width + d);
-    const vec high = vec_load(p->right + 2 * width + d);
+    const vec value = vec_load_u8(p->right + d), low = vec_load_u8(p->right + width + d);
+    const vec high = vec_load_u8(p->right + 2 * width + d);
     const vec to_right = vec_max_u8(vec_sub_floor_u8(p->value, high), vec_sub_floor_scalar_u8(low, p->value_u8));
     const vec to_left = vec_max_u8(vec_sub_floor_scalar_u8(value, p->high_u8), vec_sub_floor_u8(p->low, value));
     return vec_min_u8(to_right, to_left);
@@ -42,7 +42,7 @@ static void column_u8(const stad_cost_job *job, int32_t x, int32_t channel, uint
     for (int32_t d = 0; d < n; d += 16) {
         const int32_t at = group_at(d, n);
         const vec quarter = vec_shift_right_u8(distance(&intensity, job->width, at), 2);
-        vec_store(cost + at, vec_add_u8(distance(&gradient, job->width, at), quarter));
+        vec_store_u8(cost + at, vec_add_u8(distance(&gradient, job->width, at), quarter));
     }
 }
 
@@ -66,8 +66,8 @@ static void column_u16(const stad_cost_job *job, int32_t x, uint16_t *cost)
         for (int32_t c = 0; c < job->channels; c++) {
             const plane_pair gradient = pair_at(job, c, x), intensity = pair_at(job, job->channels + c, x);
             uint8_t g[16], q[16];
-            vec_store(g, distance(&gradient, job->width, at));
-            vec_store(q, vec_shift_right_u8(distance(&intensity, job->width, at), 2));
+            vec_store_u8(g, distance(&gradient, job->width, at));
+            vec_store_u8(q, vec_shift_right_u8(distance(&intensity, job->width, at), 2));
             first = vec_add(first, vec_add(vec_widen(g), vec_widen(q)));
             second = vec_add(second, vec_add(vec_widen(g + 8), vec_widen(q + 8)));
         }

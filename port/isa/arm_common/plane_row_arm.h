@@ -33,7 +33,7 @@ void STAD_TIER(stad_prefilter_row)(const uint8_t *above, const uint8_t *row, con
     }
     for (int32_t x = 1; x < width - 1; x += 16) {
         const int32_t at = inner_at(x, width, 16);
-        vec_store(intensity + at, vec_load(row + at));
+        vec_store_u8(intensity + at, vec_load_u8(row + at));
     }
     gradient[0] = gradient[width - 1] = intensity[0] = intensity[width - 1] = (uint8_t)(cap & 0xFF);
 }
@@ -43,7 +43,7 @@ static inline void put_range(uint8_t *out, vec v, int reverse)
     if (reverse)
         vec_store_reversed_u8(out, v);
     else
-        vec_store(out, v);
+        vec_store_u8(out, v);
 }
 
 /* The three columns at a border by C; `x` of them is wanted. */
@@ -64,8 +64,8 @@ void STAD_TIER(stad_range_row)(const uint8_t *plane, int32_t width, int reverse,
     }
     for (int32_t x = 1; x < width - 1; x += 16) {
         const int32_t at = inner_at(x, width, 16), to = reverse ? width - at - 16 : at;
-        const vec here = vec_load(plane + at);
-        const vec before = vec_mean_u8(here, vec_load(plane + at - 1)), after = vec_mean_u8(here, vec_load(plane + at + 1));
+        const vec here = vec_load_u8(plane + at);
+        const vec before = vec_mean_u8(here, vec_load_u8(plane + at - 1)), after = vec_mean_u8(here, vec_load_u8(plane + at + 1));
         put_range(out + to, here, reverse);
         put_range(out + width + to, vec_min_u8(here, vec_min_u8(before, after)), reverse);
         put_range(out + 2 * width + to, vec_max_u8(here, vec_max_u8(before, after)), reverse);

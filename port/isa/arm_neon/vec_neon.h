@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #define STAD_TIER(name) name##_neon
+#define VEC_UNROLL      1
 
 typedef int16x8_t vec;
 
@@ -55,6 +56,8 @@ static inline void vec_store(void *p, vec v)
 #define VEC_OF_U16(a) vreinterpretq_s16_u16(a)
 #define VEC_OF_U8(a)  vreinterpretq_s16_u8(a)
 
+#define vec_load_u8(p)         vec_load(p)
+#define vec_store_u8(p, v)     vec_store(p, v)
 #define vec_widen(p)           VEC_OF_U16(vmovl_u8(vld1_u8(p))) /* 8 bytes as 16-bit lanes */
 #define vec_sub_widened(p, q)  VEC_OF_U16(vsubl_u8(vld1_u8(p), vld1_u8(q)))
 #define vec_store_low_u8(p, v) vst1_u8(p, vmovn_u16(VEC_U16(v)))

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+target_sources(stadimeter PRIVATE ${STAD_PORT_DIR}/kernels_mve.c)

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT
+ * port/isa/arm_mve/stad_port.h - kernels for Helium, the vector extension of Armv8.1-M; contracts: kernel/kernel.h. */
+#ifndef STAD_PORT_H
+#define STAD_PORT_H
+
+#define stad_prefilter_row    stad_prefilter_row_mve
+#define stad_range_row        stad_range_row_mve
+#define stad_cost_row_u8      stad_cost_row_u8_mve
+#define stad_cost_row_u16     stad_cost_row_u16_mve
+#define stad_box_add_row_u8   stad_box_add_row_u8_mve
+#define stad_box_add_row_u16  stad_box_add_row_u16_mve
+#define stad_box_move_row_u8  stad_box_move_row_u8_mve
+#define stad_box_move_row_u16 stad_box_move_row_u16_mve
+#define stad_slide_row        stad_slide_row_mve
+#define stad_path_row         stad_path_row_mve
+#define stad_gather_row       stad_gather_row_mve
+#define stad_best_row         stad_best_row_mve
+#define stad_best_row_3way    stad_best_row_3way_mve
+#define stad_median_row       stad_median_row_mve
+
+void stad_prefilter_row_mve(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width,
+                             int32_t channels, int32_t cap, uint8_t *planes);
+void stad_range_row_mve(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
+void stad_cost_row_u8_mve(const stad_cost_job *job, uint8_t *cost);
+void stad_cost_row_u16_mve(const stad_cost_job *job, uint16_t *cost);
+void stad_box_add_row_u8_mve(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight);
+void stad_box_add_row_u16_mve(int16_t *sum, const uint16_t *cost, int32_t n, int32_t weight);
+void stad_box_move_row_u8_mve(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n);
+void stad_box_move_row_u16_mve(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n);
+void stad_slide_row_mve(const stad_slide_job *job, int16_t *block);
+void stad_path_row_mve(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
+void stad_gather_row_mve(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
+void stad_best_row_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_best_row_3way_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_median_row_mve(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
+
+#include "kernel/bind_c.h"
+
+#endif
