@@ -18,6 +18,6 @@ block sh | grep -v '^cmake ' >"$work/readme.sh"
 [ "$(grep -c stad "$work/readme.sh")" -ge 5 ] || { echo "FAILED: README.md has no commands"; exit 1; }
 cd "$work/tree"
 quietly bash -eu "$work/readme.sh"
-for file in one_pair disp.npy disp.png tuned.json tuned.h better.npy; do
+for file in one_pair disp.npy disp.png tuned.json tuned.html better.npy; do
     [ -s "$file" ] || { echo "FAILED: $file was not written"; exit 1; }
 done

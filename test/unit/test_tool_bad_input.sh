@@ -144,6 +144,9 @@ mkdir d.npy
 expect 3 'd.npy: cannot be written: it is a folder' match s/left.png s/right.png -o d.npy --num-disparities 16
 expect 3 'nowhere/t.json: cannot be written' "${t[@]}" --json nowhere/t.json
 expect 3 'nowhere/p.h: cannot be written' "${t[@]}" --header nowhere/p.h
+expect 3 'nowhere/r.html: cannot be written' "${t[@]}" --report nowhere/r.html
+expect 3 'nowhere/r.html: cannot be written' "${e[@]}" --report nowhere/r.html
+expect 2 '--focal 0: must be a number' "${e[@]}" --focal 0
 expect 3 'could not be written|cannot be written' match s/left.png s/right.png -o full.npy --num-disparities 16 --preview nowhere/p.png
 if [ -e /dev/full ]; then
     ln -s /dev/full full.npy

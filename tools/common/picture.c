@@ -108,6 +108,12 @@ int picture_write_png(const picture *p, const char *path, tool_fail *f)
     return raster_write_png(&r, path, f);
 }
 
+int picture_png_bytes(const picture *p, char **bytes, size_t *size, tool_fail *f)
+{
+    raster r = {p->width, p->height, p->channels, 8, p->pix};
+    return raster_png_bytes(&r, bytes, size, f);
+}
+
 int plane16_read(uint16_t **pix, int *width, int *height, int *bits, const char *path, tool_fail *f)
 {
     raster r;

@@ -24,6 +24,7 @@ int raster_read(raster *r, const char *path, tool_fail *f);
 int raster_read_png(raster *r, const uint8_t *file, size_t size, const char *path, tool_fail *f);
 int raster_read_pnm(raster *r, const uint8_t *file, size_t size, const char *path, tool_fail *f);
 int raster_write_png(const raster *r, const char *path, tool_fail *f);
+int raster_png_bytes(const raster *r, char **bytes, size_t *size, tool_fail *f);
 
 /* Sizes checked and memory taken, for the readers. */
 int raster_alloc(raster *r, const char *path, tool_fail *f);

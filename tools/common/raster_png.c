@@ -138,3 +138,21 @@ int raster_write_png(const raster *r, const char *path, tool_fail *f)
     free(job.rows);
     return tool_out_close(&out, status == TOOL_OK, f);
 }
+
+int raster_png_bytes(const raster *r, char **bytes, size_t *size, tool_fail *f)
+{
+    png_job job = {NULL, 0, "a picture in memory", f, NULL};
+    *bytes = NULL;
+    FILE *stream = open_memstream(bytes, size);
+    if (!stream)
+        return tool_fail_set(f, TOOL_FILE, "not enough memory for a picture");
+    int status = write_stream(stream, r, &job);
+    free(job.rows);
+    if (fclose(stream) && status == TOOL_OK)
+        status = tool_fail_set(f, TOOL_FILE, "not enough memory for a picture");
+    if (status) {
+        free(*bytes);
+        *bytes = NULL;
+    }
+    return status;
+}

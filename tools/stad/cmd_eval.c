@@ -5,7 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "../common/whole_file.h"
 #include "measure.h"
+#include "report_make.h"
 #include "tool.h"
 
 static const char help[] =
@@ -17,7 +19,9 @@ static const char help[] =
     "  --mask FILE          which pixels both cameras see: 0 and 128 = hidden, else visible (without: found from the truth)\n"
     "  --truth-scale S      steps per pixel of a truth that is a .png or .pgm (256 for 16 bits)\n"
     "  --threshold PX       error above which a pixel is wrong, for chow (1)\n"
-    "  --json               one JSON object on the standard output; fractions, px for rmse and mae\n\n"
+    "  --json               one JSON object on the standard output; fractions, px for rmse and mae\n"
+    "  --report OUT.html    map, truth and errors, to look at: one file\n"
+    "  --focal PX, --baseline METRES            of the rig: the report shows distances too\n\n"
     "bad      (wrong + missing) / visible; `estimated`: wrong / visible with a disparity\n"
     "chow     (2 wrong_visible + 2 wrong_occluded + missing_visible) / (2 (visible + occluded))\n"
     "D1       bad, but wrong is an error above 3 px and above 5 %\n"
@@ -29,9 +33,12 @@ typedef struct eval_job {
     long min_disparity, num_disparities;
     double scale, threshold;
     int json;
+    const char *report;
+    char *command; /* as typed, for the report */
+    report_rig rig;
 } eval_job;
 
-enum { OPT_MIN = 'm', OPT_NUM = 'n', OPT_MASK = 'k', OPT_SCALE = 's', OPT_THRESHOLD = 't', OPT_JSON = 'j' };
+enum { OPT_MIN = 'm', OPT_NUM = 'n', OPT_MASK = 'k', OPT_SCALE = 's', OPT_THRESHOLD = 't', OPT_JSON = 'j', OPT_REPORT = 'r', OPT_FOCAL = 'f', OPT_BASELINE = 'b' };
 
 static const struct option longs[] = {{"min-disparity", required_argument, NULL, OPT_MIN},
                                       {"num-disparities", required_argument, NULL, OPT_NUM},
@@ -39,6 +46,9 @@ static const struct option longs[] = {{"min-disparity", required_argument, NULL,
                                       {"truth-scale", required_argument, NULL, OPT_SCALE},
                                       {"threshold", required_argument, NULL, OPT_THRESHOLD},
                                       {"json", no_argument, NULL, OPT_JSON},
+                                      {"report", required_argument, NULL, OPT_REPORT},
+                                      {"focal", required_argument, NULL, OPT_FOCAL},
+                                      {"baseline", required_argument, NULL, OPT_BASELINE},
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
 
@@ -56,6 +66,12 @@ static int take(eval_job *j, int code, tool_fail *f)
     case OPT_MASK:
         j->mask = optarg;
         return TOOL_OK;
+    case OPT_REPORT:
+        j->report = optarg;
+        return tool_out_check(optarg, f);
+    case OPT_FOCAL:
+    case OPT_BASELINE:
+        return report_rig_option(&j->rig, code == OPT_FOCAL, optarg, f);
     default:
         j->json = 1;
         return TOOL_OK;
@@ -151,6 +167,8 @@ static int work(const eval_job *j, tool_fail *f)
         status = truth_mask(&t, j->mask, f);
     if (status == TOOL_OK)
         status = measure(&m, &d, &t, (int)j->num_disparities, j->threshold, f);
+    if (status == TOOL_OK && j->report)
+        status = report_eval(j->report, j->command, &j->rig, &d, &t, (int)j->num_disparities, &m, f);
     if (status == TOOL_OK && j->json)
         print_json(&m);
     else if (status == TOOL_OK)
@@ -164,8 +182,10 @@ int cmd_eval(int argc, char **argv)
 {
     eval_job j = {.min_disparity = INT16_MAX, .threshold = 1};
     tool_fail f = {0};
+    j.command = report_command(argc, argv);
     int status = read_options(&j, argc, argv, &f);
-    if (status >= 0)
-        return status;
-    return work(&j, &f) ? tool_report(argv[0], &f) : TOOL_OK;
+    if (status < 0)
+        status = work(&j, &f) ? tool_report(argv[0], &f) : TOOL_OK;
+    free(j.command);
+    return status;
 }

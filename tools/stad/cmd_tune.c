@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "../common/whole_file.h"
+#include "report.h"
+#include "report_make.h"
 #include "tool.h"
 #include "tune_job.h"
 
@@ -22,7 +24,9 @@ static const char help[] =
     "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), values laid over\n"
     "  --free NAME,...      what may vary (p1,p2,block_size,uniqueness_ratio,pre_filter_cap,disp12_max_diff)\n"
     "  --json OUT           start, best and the trace of costs\n"
-    "  --header OUT.h       the best parameters as C\n" MATCH_OPTIONS_HELP
+    "  --header OUT.h       the best parameters as C\n"
+    "  --report OUT.html    before and after, to look at: one file\n"
+    "  --focal PX, --baseline METRES                of the rig: the report shows distances too\n" MATCH_OPTIONS_HELP
     "\nExample: stad tune left.png right.png --truth truth.pfm --num-disparities 64 --json tuned.json\n"
     "         stad match left.png right.png --params tuned.json -o disp.npy\n";
 
@@ -39,6 +43,9 @@ enum {
     OPT_FREE,
     OPT_JSON,
     OPT_HEADER,
+    OPT_REPORT,
+    OPT_FOCAL,
+    OPT_BASELINE,
     OPT_LATER
 };
 
@@ -55,7 +62,9 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"free", required_argument, NULL, OPT_FREE},
                                       {"json", required_argument, NULL, OPT_JSON},
                                       {"header", required_argument, NULL, OPT_HEADER},
-                                      {"report", required_argument, NULL, OPT_LATER},
+                                      {"report", required_argument, NULL, OPT_REPORT},
+                                      {"focal", required_argument, NULL, OPT_FOCAL},
+                                      {"baseline", required_argument, NULL, OPT_BASELINE},
                                       {"fiducials", no_argument, NULL, OPT_LATER},
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
@@ -142,8 +151,14 @@ static int take(tune_job *j, int code, tool_fail *f)
     case OPT_HEADER:
         j->header = optarg;
         return TOOL_OK;
+    case OPT_REPORT:
+        j->report = optarg;
+        return TOOL_OK;
+    case OPT_FOCAL:
+    case OPT_BASELINE:
+        return report_rig_option(&j->rig, code == OPT_FOCAL, optarg, f);
     default:
-        return tool_fail_set(f, TOOL_USAGE, "--report and --fiducials are not part of this version");
+        return tool_fail_set(f, TOOL_USAGE, "--fiducials is not part of this version; a board tunes so by itself");
     }
 }
 
@@ -184,6 +199,8 @@ static int check_outputs(const tune_job *j, tool_fail *f)
     int status = j->json ? tool_out_check(j->json, f) : TOOL_OK;
     if (status == TOOL_OK && j->header)
         status = tool_out_check(j->header, f);
+    if (status == TOOL_OK && j->report)
+        status = tool_out_check(j->report, f);
     return status;
 }
 
@@ -204,6 +221,8 @@ static int work(tune_job *j, tool_fail *f)
         status = tune_write_json(j, f);
     if (status == TOOL_OK && j->header)
         status = tune_write_header(j, f);
+    if (status == TOOL_OK && j->report)
+        status = report_tune(j->report, j->command, &j->rig, j, f);
     if (status == TOOL_OK)
         tune_print(j);
     return status;
@@ -216,9 +235,11 @@ int cmd_tune(int argc, char **argv)
     j.how.threshold = 1;
     if (scene_set_single(&j.set, &f))
         return tool_report(argv[0], &f);
+    j.command = report_command(argc, argv);
     int status = read_options(&j, argc, argv, &f);
     if (status < 0)
         status = work(&j, &f) ? tool_report(argv[0], &f) : TOOL_OK;
     scene_set_free(&j.set);
+    free(j.command);
     return status;
 }

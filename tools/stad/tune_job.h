@@ -4,6 +4,7 @@
 #define STAD_TUNE_JOB_H
 
 #include "match_options.h"
+#include "report.h"
 #include "scene_set.h"
 #include "stad/tune.h"
 
@@ -17,7 +18,9 @@ typedef struct tune_job {
     match_options options;
     params_some start; /* --start NAME=V,... */
     int from_default;  /* --start default */
-    const char *list, *json, *header;
+    const char *list, *json, *header, *report;
+    char *command;  /* as typed, for the report */
+    report_rig rig;
     int method;
     unsigned free_mask;
     long max_evals; /* 0: the library's own */
