@@ -120,7 +120,7 @@ static int read_png(disparity *d, const char *path, int min_disparity, tool_fail
     else
         status = disparity_alloc(d, width, height, min_disparity, f);
     for (size_t i = 0; status == TOOL_OK && i < count(d); i++)
-        d->q4[i] = q8[i] ? (int16_t)((q8[i] + 8) / 16) : d->none_q4;
+        d->q4[i] = (int16_t)(q8[i] ? (q8[i] + 8) / 16 : d->none_q4);
     free(q8);
     return status;
 }

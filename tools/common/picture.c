@@ -131,7 +131,7 @@ int plane16_read(uint16_t **pix, int *width, int *height, int *bits, const char 
     *bits = r.bits;
     *pix = malloc(n * sizeof **pix);
     for (size_t i = 0; *pix && i < n; i++)
-        (*pix)[i] = r.bits == 8 ? r.bytes[i] : (uint16_t)(r.bytes[2 * i] << 8 | r.bytes[2 * i + 1]);
+        (*pix)[i] = (uint16_t)(r.bits == 8 ? r.bytes[i] : r.bytes[2 * i] << 8 | r.bytes[2 * i + 1]);
     free(r.bytes);
     return *pix ? TOOL_OK : tool_fail_set(f, TOOL_FILE, "%s: not enough memory", path);
 }
