@@ -2,7 +2,21 @@
  * tune/tune_config.c - the customary config for stereo parameters, and the check of any config. */
 #include "stad/tune.h"
 
+#include <stddef.h>
 #include <string.h>
+
+/* Fitted on the design scenes alone, one rung for each kind of scene found there: textured and indoors without and with a
+ * block, driving, and for chow large surfaces without texture. (docs/TUNING.md) */
+static const stad_point ladder_bad[] = {
+    {{8, 18, 1, 0, 63, 8}}, {{40, 150, 3, 0, 21, 8}}, {{50, 2200, 9, 0, 41, 8}}};
+static const stad_point ladder_chow[] = {
+    {{30, 90, 3, 34, 17, 1}}, {{8, 18, 1, 24, 63, 1}}, {{35, 2200, 9, 0, 35, 2}}, {{117, 726, 9, 15, 15, 1}}};
+
+static void bring_ladder(stad_tune_config *c, const stad_point *ladder, size_t bytes)
+{
+    memcpy(c->ladder, ladder, bytes);
+    c->ladder_count = (uint8_t)(bytes / sizeof *ladder);
+}
 
 void stad_tune_config_stereo(stad_tune_config *c, int purpose)
 {
@@ -15,7 +29,10 @@ void stad_tune_config_stereo(stad_tune_config *c, int purpose)
     c->ordered = 1;
     c->budget = 100;
     memcpy(c->axis, stereo, sizeof stereo);
-    (void)purpose;
+    if (purpose == STAD_TUNE_FOR_BAD)
+        bring_ladder(c, ladder_bad, sizeof ladder_bad);
+    if (purpose == STAD_TUNE_FOR_CHOW)
+        bring_ladder(c, ladder_chow, sizeof ladder_chow);
 }
 
 static int axis_sound(const stad_tune_axis *a)
