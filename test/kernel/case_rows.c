@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT
+ * kernel/case_rows.c - cases of the kernels before the paths, and of the median. */
+#include <stdio.h>
+#include <string.h>
+
+#include "kernel/kernel_case.h"
+
+static int32_t least_i32(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static int32_t most_i32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+int case_prefilter(kernel_case *k)
+{
+    chance *c = &k->chance;
+    const int32_t width = k->size, channels = chance_draw(c) % 3 ? 1 : 3;
+    const int32_t cap = (chance_draw(c) % 4 ? chance_between(c, 7, 63) : chance_between(c, 0, 16383)) * 2 + 1;
+    const uint8_t *above = room_u8(c, width * channels, 0, 255), *row = room_u8(c, width * channels, 0, 255);
+    const uint8_t *below = room_u8(c, width * channels, 0, 255);
+    uint8_t *mine = room_u8(c, 2 * channels * width, 0, 255), *reference = room_twin(mine);
+    snprintf(k->text, sizeof k->text, "width %d channels %d cap %d", width, channels, cap);
+    k->set->prefilter(above, row, below, width, channels, cap, mine);
+    stad_prefilter_row_c(above, row, below, width, channels, cap, reference);
+    return memcmp(mine, reference, 2 * (size_t)(channels * width)) == 0;
+}
+
+int case_range(kernel_case *k)
+{
+    chance *c = &k->chance;
+    const int32_t width = k->size;
+    const int reverse = (int)(chance_draw(c) % 2);
+    const uint8_t *plane = room_u8(c, width, 0, 255);
+    uint8_t *mine = room_u8(c, 3 * width, 0, 255), *reference = room_twin(mine);
+    snprintf(k->text, sizeof k->text, "width %d reverse %d", width, reverse);
+    k->set->range(plane, width, reverse, mine);
+    stad_range_row_c(plane, width, reverse, reference);
+    return memcmp(mine, reference, 3 * (size_t)width) == 0;
+}
+
+/* Feature rows as the range kernel makes them: low <= value <= high. */
+static uint8_t *features(chance *c, int32_t width, int32_t channels, int32_t gradient_top, int reverse)
+{
+    uint8_t *out = room_take(c, 6 * (size_t)(channels * width), 1);
+    for (int32_t p = 0; p < 2 * channels; p++)
+        stad_range_row_c(room_u8(c, width, 0, p < channels ? gradient_top : 255), width, reverse, out + 3 * width * p);
+    return out;
+}
+
+/* A run of up to 16 columns anywhere in a row that is just wide enough, or wider. */
+static stad_cost_job cost_job(kernel_case *k, int32_t channels, int32_t gradient_top)
+{
+    chance *c = &k->chance;
+    const int32_t n = k->size, least = chance_between(c, -20, 20), width = n + 20 + chance_between(c, 0, 40);
+    const int32_t first = most_i32(least + n - 1, 0), last = least_i32(width - 1 + least, width - 1);
+    stad_cost_job job = {NULL, NULL, width, channels, 0, 0, least, n};
+    job.x = chance_draw(c) % 3 ? chance_between(c, first, last) : first;
+    job.count = chance_between(c, 1, least_i32(last - job.x + 1, 16));
+    job.left = features(c, width, channels, gradient_top, 0);
+    job.right = features(c, width, channels, gradient_top, 1);
+    snprintf(k->text, sizeof k->text, "width %d channels %d x %d count %d min_disparity %d disparities %d", width, channels,
+             job.x, job.count, least, n);
+    return job;
+}
+
+int case_cost_u8(kernel_case *k)
+{
+    const int32_t channels = chance_draw(&k->chance) % 3 ? 1 : 3;
+    const stad_cost_job job = cost_job(k, channels, channels == 1 ? 192 : 22); /* channels * (top + 63) <= 255 */
+    uint8_t *mine = room_u8(&k->chance, job.count * job.disparities, 0, 255), *reference = room_twin(mine);
+    k->set->cost_u8(&job, mine);
+    stad_cost_row_u8_c(&job, reference);
+    return memcmp(mine, reference, (size_t)(job.count * job.disparities)) == 0;
+}
+
+int case_cost_u16(kernel_case *k)
+{
+    const stad_cost_job job = cost_job(k, chance_draw(&k->chance) % 2 ? 1 : 3, 255);
+    uint16_t *mine = room_u16(&k->chance, job.count * job.disparities, 0, 65535), *reference = room_twin(mine);
+    k->set->cost_u16(&job, mine);
+    stad_cost_row_u16_c(&job, reference);
+    return memcmp(mine, reference, 2 * (size_t)(job.count * job.disparities)) == 0;
+}
+
+/* -- box: sums begin and end anywhere in 0..32767 ------------------------------------------------------------------------ */
+
+/* Sums that `change` takes to at most 32767 and at least 0; change is gains[i] * weight - losses[i]. */
+static int16_t *sums_for(chance *c, int32_t n, const uint16_t *gains, const uint16_t *losses, int32_t weight)
+{
+    int16_t *sum = room_take(c, 2 * (size_t)n, 2);
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t change = gains[i] * weight - (losses ? losses[i] : 0);
+        sum[i] = (int16_t)chance_value(c, most_i32(-change, 0), least_i32(STAD_COST_MAX - change, STAD_COST_MAX));
+    }
+    return sum;
+}
+
+/* The costs as bytes. */
+static const uint8_t *narrowed(chance *c, const uint16_t *wide, int32_t n)
+{
+    uint8_t *out = room_take(c, (size_t)n, 1);
+    for (int32_t i = 0; i < n; i++)
+        out[i] = (uint8_t)wide[i];
+    return out;
+}
+
+static int case_box_add(kernel_case *k, int wide)
+{
+    chance *c = &k->chance;
+    const int32_t n = k->size, top = wide ? 954 : 255, weight = chance_between(c, 1, wide ? 34 : 128);
+    const uint16_t *cost = room_u16(c, n, 0, top);
+    const uint8_t *bytes = narrowed(c, cost, n);
+    int16_t *mine = sums_for(c, n, cost, NULL, weight), *reference = room_twin(mine);
+    snprintf(k->text, sizeof k->text, "n %d weight %d", n, weight);
+    if (wide) {
+        k->set->box_add_u16(mine, cost, n, weight);
+        stad_box_add_row_u16_c(reference, cost, n, weight);
+    } else {
+        k->set->box_add_u8(mine, bytes, n, weight);
+        stad_box_add_row_u8_c(reference, bytes, n, weight);
+    }
+    return memcmp(mine, reference, 2 * (size_t)n) == 0;
+}
+
+int case_box_add_u8(kernel_case *k)
+{
+    return case_box_add(k, 0);
+}
+
+int case_box_add_u16(kernel_case *k)
+{
+    return case_box_add(k, 1);
+}
+
+static int case_box_move(kernel_case *k, int wide)
+{
+    chance *c = &k->chance;
+    const int32_t n = k->size, top = wide ? 954 : 255;
+    const uint16_t *in = room_u16(c, n, 0, top), *out = room_u16(c, n, 0, top);
+    const uint8_t *in_bytes = narrowed(c, in, n), *out_bytes = narrowed(c, out, n);
+    int16_t *mine = sums_for(c, n, in, out, 1), *reference = room_twin(mine);
+    snprintf(k->text, sizeof k->text, "n %d", n);
+    if (wide) {
+        k->set->box_move_u16(mine, in, out, n);
+        stad_box_move_row_u16_c(reference, in, out, n);
+    } else {
+        k->set->box_move_u8(mine, in_bytes, out_bytes, n);
+        stad_box_move_row_u8_c(reference, in_bytes, out_bytes, n);
+    }
+    return memcmp(mine, reference, 2 * (size_t)n) == 0;
+}
+
+int case_box_move_u8(kernel_case *k)
+{
+    return case_box_move(k, 0);
+}
+
+int case_box_move_u16(kernel_case *k)
+{
+    return case_box_move(k, 1);
+}
+
+int case_slide(kernel_case *k)
+{
+    chance *c = &k->chance;
+    const int32_t n = k->size, columns = chance_between(c, 1, 40), radius = chance_between(c, 0, 6);
+    stad_slide_job job = {NULL, columns, n, radius, chance_between(c, 2, 9000), 0, 0};
+    int16_t *mine, *reference;
+    job.x = chance_between(c, 0, columns - 1);
+    job.count = chance_between(c, 1, least_i32(columns - job.x, 16));
+    job.sum = room_i16(c, columns * n, 0, (STAD_COST_MAX - job.p2) / (2 * radius + 1));
+    mine = room_i16(c, job.count * n, 0, 9);
+    reference = room_twin(mine);
+    snprintf(k->text, sizeof k->text, "columns %d disparities %d radius %d p2 %d x %d count %d", columns, n, radius, job.p2,
+             job.x, job.count);
+    k->set->slide(&job, mine);
+    stad_slide_row_c(&job, reference);
+    return memcmp(mine, reference, 2 * (size_t)(job.count * n)) == 0;
+}
+
+int case_median(kernel_case *k)
+{
+    chance *c = &k->chance;
+    const int32_t width = k->size;
+    const int16_t *above = room_i16(c, width, INT16_MIN, INT16_MAX), *row = room_i16(c, width, -16, 1008);
+    const int16_t *below = room_i16(c, width, INT16_MIN, INT16_MAX);
+    int16_t *mine = room_i16(c, width, 0, 9), *reference = room_twin(mine);
+    snprintf(k->text, sizeof k->text, "width %d", width);
+    k->set->median(above, row, below, width, mine);
+    stad_median_row_c(above, row, below, width, reference);
+    return memcmp(mine, reference, 2 * (size_t)width) == 0;
+}
