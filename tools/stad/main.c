@@ -16,6 +16,7 @@ static const command commands[] = {
     {"match", cmd_match, "disparity of a rectified pair, bit for bit cv::StereoSGBM"},
     {"eval", cmd_eval, "a disparity map against ground truth"},
     {"tune", cmd_tune, "better parameters for pairs with ground truth"},
+    {"simulate", cmd_simulate, "recorded frames through the code that a board runs"},
     {"plan", cmd_plan, "bytes of memory, by mode, plan and part"},
     {"bench", cmd_bench, "time per pixel and disparity"},
     {"scene", cmd_scene, "draws a stereo pair with exact truth"},

@@ -22,6 +22,12 @@ int tool_report(const char *command, const tool_fail *f)
     return f->status;
 }
 
+void tool_note(const char *command, const char *what, const tool_fail *f)
+{
+    progress_end();
+    fprintf(stderr, "%s: %s%s\n", command, what, f->text);
+}
+
 int tool_usage(const char *command)
 {
     fprintf(stderr, "%s: see `%s --help`\n", command, command);

@@ -13,12 +13,16 @@ int cmd_plan(int argc, char **argv);
 int cmd_scene(int argc, char **argv);
 int cmd_sheet(int argc, char **argv);
 int cmd_bench(int argc, char **argv);
+int cmd_simulate(int argc, char **argv);
 
 /* Prints a help text and says that all went well. */
 int tool_help(const char *text);
 
 /* Prints "stad NAME: what went wrong" and hands back the status. */
 int tool_report(const char *command, const tool_fail *f);
+
+/* The same for something that does not end the work. */
+void tool_note(const char *command, const char *what, const tool_fail *f);
 
 /* After an option that getopt_long has complained about already. */
 int tool_usage(const char *command);

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT
+ * stad/simulate.h - what `stad simulate` is asked for, the board it plays, and what came of it. */
+#ifndef STAD_SIMULATE_H
+#define STAD_SIMULATE_H
+
+#include "../common/engine.h"
+#include "degrade.h"
+#include "match_options.h"
+#include "recording.h"
+#include "report.h"
+#include "stad/calib.h"
+#include "stad/store.h"
+
+/* Flash of three small sectors, in memory. */
+#define SIM_SECTOR 128
+typedef struct sim_flash {
+    uint8_t bytes[3 * SIM_SECTOR];
+    stad_flash flash;
+} sim_flash;
+
+/* A frame in the log. */
+typedef struct sim_row {
+    int frame, state, phase, skipped;
+    double share; /* of considered pixels that are firm; what the monitor watches */
+    stad_match_counts counts;
+    stad_params params; /* it was matched with */
+} sim_row;
+
+/* A calibration run that ended. */
+typedef struct sim_run {
+    int frame;
+    stad_calib_report report;
+    stad_params params; /* in use since */
+    int corrected;
+} sim_run;
+
+#define SIM_RUNS 64
+
+typedef struct simulation {
+    /* asked for */
+    match_options options;
+    const char *where, *csv, *json, *report;
+    char *command;
+    report_rig rig;
+    double cx, cy; /* principal point, px; negative = the middle */
+    degrade bad;
+    int side_by_side, raw_width, raw_height, keep_going, color;
+    long calibrate_at, evaluations_per_frame, learn_frames, budget, limit;
+    int cost;
+    /* the board */
+    recording frames;
+    engine live;
+    stad_calib calib;
+    stad_evaluator evaluator;
+    void *work;
+    size_t work_bytes;
+    picture held[2][2];
+    stad_setup initial;
+    sim_flash flash;
+    /* what came of it */
+    sim_row *rows;
+    int row_count, skipped, alarms, run_count, last_outcome;
+    sim_run runs[SIM_RUNS];
+    stad_setup stored;
+    int stored_slot; /* enum stad_slot, or negative: nothing was stored */
+    double seconds;
+} simulation;
+
+/* The whole recording. On failure what was done so far is in the rows, and can be written. */
+int simulate_run(simulation *s, tool_fail *f);
+void simulate_free(simulation *s);
+
+const char *simulate_state_name(int state);
+const char *simulate_phase_name(int phase);
+const char *simulate_outcome_name(int outcome);
+const char *simulate_fault_name(int fault);
+
+void simulate_print(const simulation *s);
+int simulate_write_csv(const simulation *s, tool_fail *f);
+int simulate_write_json(const simulation *s, tool_fail *f);
+int simulate_write_report(simulation *s, tool_fail *f);
+
+#endif

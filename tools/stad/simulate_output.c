@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT
+ * stad/simulate_output.c - what a simulated board did: for a person, as CSV, as JSON, as a report. */
+#include <cjson/cJSON.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "simulate.h"
+
+#define NAME_OF(list, i) ((i) >= 0 && (i) < (int)(sizeof(list) / sizeof(list)[0]) ? (list)[i] : "?")
+
+const char *simulate_state_name(int state)
+{
+    static const char *const names[] = {"learning", "ok", "degraded"};
+    return NAME_OF(names, state);
+}
+
+const char *simulate_phase_name(int phase)
+{
+    static const char *const names[] = {"idle", "look", "other", "confirm", "pick", "tune", "judge", "save", "probation", "recheck", "compare"};
+    return NAME_OF(names, phase);
+}
+
+const char *simulate_outcome_name(int outcome)
+{
+    static const char *const names[] = {"none",     "sound",   "adopted",    "corrected", "kept",     "rolled back",
+                                        "no marks", "no pose", "rig failed", "fault",     "cancelled"};
+    return NAME_OF(names, outcome);
+}
+
+const char *simulate_fault_name(int fault)
+{
+    static const char *const names[] = {"none",   "late",    "black", "saturated", "flat", "frozen",
+                                        "swapped", "marks", "range", "rig",       "size"};
+    return NAME_OF(names, fault);
+}
+
+static void print_params(const stad_params *p)
+{
+    for (int i = 0; i < FIELD_COUNT; i++)
+        printf("%s%s %ld", i ? ", " : "", params_field_name(i), params_get(p, i));
+    putchar('\n');
+}
+
+static void print_run(const sim_run *r)
+{
+    const stad_calib_report *c = &r->report;
+    printf("frame %d: run ended: %s", r->frame, simulate_outcome_name(c->outcome));
+    if (c->evaluations)
+        printf(", %d evaluations, tuning pose %.2f -> %.2f %%, other pose %.2f -> %.2f %%", c->evaluations,
+               100.0 * c->tune_before_q20 / STAD_COST_ONE, 100.0 * c->tune_after_q20 / STAD_COST_ONE,
+               100.0 * c->judge_before_q20 / STAD_COST_ONE, 100.0 * c->judge_after_q20 / STAD_COST_ONE);
+    if (c->fault)
+        printf(", last fault: %s", simulate_fault_name(c->fault));
+    putchar('\n');
+}
+
+void simulate_print(const simulation *s)
+{
+    const stad_calib_report *now = stad_calib_report_of(&s->calib);
+    printf("%d frames of %d x %d", s->row_count, s->live.geometry.width, s->live.geometry.height);
+    if (s->skipped)
+        printf(", %d skipped", s->skipped);
+    printf(", %.1f a second\n", s->seconds > 0 ? s->row_count / s->seconds : 0.0);
+    for (int i = 0; i < s->row_count; i++)
+        if (s->rows[i].state == STAD_MONITOR_DEGRADED)
+            printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", s->rows[i].frame, 100 * s->rows[i].share);
+    for (int i = 0; i < s->run_count; i++)
+        print_run(&s->runs[i]);
+    printf("state: %s\nin use:  ", simulate_phase_name(now->phase));
+    print_params(&stad_calib_setup(&s->calib)->params);
+    if (s->stored_slot >= 0) {
+        printf("stored:  ");
+        print_params(&s->stored.params);
+    } else {
+        puts("stored:  nothing");
+    }
+}
+
+int simulate_write_csv(const simulation *s, tool_fail *f)
+{
+    tool_out out;
+    int status = tool_out_open(&out, s->csv, f);
+    if (status)
+        return status;
+    fputs("frame,state,phase,firm_share,considered,firm,valid,rejected_uniqueness,rejected_check", out.stream);
+    for (int k = 0; k < FIELD_COUNT; k++)
+        fprintf(out.stream, ",%s", params_field_name(k));
+    fputc('\n', out.stream);
+    for (int i = 0; i < s->row_count; i++) {
+        const sim_row *r = &s->rows[i];
+        const stad_match_counts *c = &r->counts;
+        fprintf(out.stream, "%d,%s,%s,%.5f,%d,%d,%d,%d,%d", r->frame, r->skipped ? "skipped" : simulate_state_name(r->state),
+                simulate_phase_name(r->phase), r->share, c->considered, c->firm, c->valid, c->rejected_uniqueness, c->rejected_check);
+        for (int k = 0; k < FIELD_COUNT; k++)
+            fprintf(out.stream, ",%ld", params_get(&r->params, k));
+        fputc('\n', out.stream);
+    }
+    return tool_out_close(&out, 1, f);
+}
+
+static cJSON *setup_json(const stad_setup *setup)
+{
+    cJSON *o = cJSON_CreateObject();
+    cJSON_AddItemToObject(o, "params", params_to_json(&setup->params));
+    cJSON_AddBoolToObject(o, "corrected", setup->corrected);
+    return o;
+}
+
+static cJSON *run_json(const sim_run *r)
+{
+    const stad_calib_report *c = &r->report;
+    cJSON *o = cJSON_CreateObject();
+    cJSON_AddNumberToObject(o, "frame", r->frame);
+    cJSON_AddStringToObject(o, "outcome", simulate_outcome_name(c->outcome));
+    cJSON_AddStringToObject(o, "fault", simulate_fault_name(c->fault));
+    cJSON_AddNumberToObject(o, "evaluations", c->evaluations);
+    cJSON_AddNumberToObject(o, "tune_before", (double)c->tune_before_q20 / STAD_COST_ONE);
+    cJSON_AddNumberToObject(o, "tune_after", (double)c->tune_after_q20 / STAD_COST_ONE);
+    cJSON_AddNumberToObject(o, "judge_before", (double)c->judge_before_q20 / STAD_COST_ONE);
+    cJSON_AddNumberToObject(o, "judge_after", (double)c->judge_after_q20 / STAD_COST_ONE);
+    cJSON_AddItemToObject(o, "params", params_to_json(&r->params));
+    cJSON_AddBoolToObject(o, "corrected", r->corrected);
+    return o;
+}
+
+static cJSON *simulation_json(const simulation *s)
+{
+    cJSON *o = cJSON_CreateObject(), *runs = cJSON_CreateArray(), *alarms = cJSON_CreateArray();
+    cJSON_AddNumberToObject(o, "frames", s->row_count);
+    cJSON_AddNumberToObject(o, "skipped", s->skipped);
+    cJSON_AddStringToObject(o, "phase", simulate_phase_name(stad_calib_report_of(&s->calib)->phase));
+    for (int i = 0; i < s->row_count; i++)
+        if (s->rows[i].state == STAD_MONITOR_DEGRADED)
+            cJSON_AddItemToArray(alarms, cJSON_CreateNumber(s->rows[i].frame));
+    cJSON_AddItemToObject(o, "alarms", alarms);
+    for (int i = 0; i < s->run_count; i++)
+        cJSON_AddItemToArray(runs, run_json(&s->runs[i]));
+    cJSON_AddItemToObject(o, "runs", runs);
+    cJSON_AddItemToObject(o, "in_use", setup_json(stad_calib_setup(&s->calib)));
+    cJSON_AddItemToObject(o, "stored", s->stored_slot >= 0 ? setup_json(&s->stored) : cJSON_CreateNull());
+    cJSON_AddNumberToObject(o, "seconds", s->seconds);
+    return o;
+}
+
+int simulate_write_json(const simulation *s, tool_fail *f)
+{
+    tool_out out;
+    int status = tool_out_open(&out, s->json, f);
+    if (status)
+        return status;
+    cJSON *o = simulation_json(s);
+    char *text = cJSON_Print(o);
+    if (text)
+        fprintf(out.stream, "%s\n", text);
+    else
+        tool_fail_set(f, TOOL_FILE, "%s: not enough memory", s->json);
+    status = tool_out_close(&out, text != NULL, f);
+    cJSON_free(text);
+    cJSON_Delete(o);
+    return status;
+}

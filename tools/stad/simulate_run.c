@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT
+ * stad/simulate_run.c - plays a board: every frame is matched and counted, and what the calibration asks for is done. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate.h"
+#include "simulate_flash.h"
+#include "tool.h"
+
+/* The library's own bounds of the search, so that nothing is refused for want of memory. */
+#define MAX_BLOCK 11
+#define MAX_P2    8192
+#define MAX_CAP   127
+
+static int at_least(int v, int least)
+{
+    return v < least ? least : v;
+}
+
+static stad_geometry geometry_of(const simulation *s, const stad_params *p, const picture *left)
+{
+    stad_geometry g = engine_geometry(p, match_options_mode(&s->options), s->options.memory, left->width, left->height, left->channels);
+    g.max_block_size = (int16_t)at_least(g.max_block_size, MAX_BLOCK);
+    g.max_p2 = (int16_t)at_least(g.max_p2, MAX_P2);
+    g.max_pre_filter_cap = (int16_t)at_least(g.max_pre_filter_cap, MAX_CAP);
+    return g;
+}
+
+static stad_camera camera_of(const simulation *s, const picture *left)
+{
+    double f = s->rig.focal_px > 0 ? s->rig.focal_px : left->width;
+    double cx = s->cx >= 0 ? s->cx : (left->width - 1) / 2.0, cy = s->cy >= 0 ? s->cy : (left->height - 1) / 2.0;
+    stad_camera c = {(int32_t)(f * 256 + 0.5), (int32_t)(cx * 256 + 0.5), (int32_t)(cy * 256 + 0.5)};
+    return c;
+}
+
+static int start_calib(simulation *s, const stad_geometry *g, const picture *left, tool_fail *f)
+{
+    stad_calib_config config;
+    stad_camera camera = camera_of(s, left);
+    stad_calib_config_default(&config, g, stad_target_relief(), &camera);
+    config.cost = (uint8_t)s->cost;
+    if (s->budget)
+        config.budget = (int16_t)s->budget;
+    if (s->learn_frames)
+        config.monitor.learn_frames = (int16_t)s->learn_frames;
+    int status = stad_calib_init(&s->calib, &config, &s->initial);
+    if (status != STAD_OK)
+        return tool_fail_set(f, TOOL_USAGE, "the calibration cannot be set up for these frames and parameters: %s", stad_status_name(status));
+    return TOOL_OK;
+}
+
+static int take_work(simulation *s, const stad_geometry *g, tool_fail *f)
+{
+    size_t marks = stad_calib_frame_bytes(g->width, g->height), match = stad_calib_evaluate_bytes(g);
+    s->work_bytes = ((marks > match ? marks : match) + STAD_ALIGN - 1) / STAD_ALIGN * STAD_ALIGN;
+    if (posix_memalign(&s->work, STAD_ALIGN, s->work_bytes))
+        s->work = NULL;
+    s->rows = calloc((size_t)s->frames.count, sizeof *s->rows);
+    return s->work && s->rows ? TOOL_OK : tool_fail_set(f, TOOL_FILE, "not enough memory for the simulated board");
+}
+
+/* Everything that the first frame's size decides. */
+static int set_up(simulation *s, const picture *left, tool_fail *f)
+{
+    stad_params p;
+    int status = match_options_params(&s->options, left->width, left->channels, &p, f);
+    if (status)
+        return status;
+    stad_geometry g = geometry_of(s, &p, left);
+    status = engine_open(&s->live, &g, f);
+    if (status == TOOL_OK)
+        status = take_work(s, &g, f);
+    memset(&s->initial, 0, sizeof s->initial);
+    s->initial.width = g.width;
+    s->initial.height = g.height;
+    s->initial.mode = g.mode;
+    s->initial.channels = (uint8_t)g.channels;
+    s->initial.params = p;
+    stad_rig_identity(&s->initial.rig, g.width, g.height);
+    sim_flash_init(&s->flash);
+    return status ? status : start_calib(s, &g, left, f);
+}
+
+/* The right view as the setup in use corrects it. */
+static int corrected(const simulation *s, const picture *right, picture *out, tool_fail *f)
+{
+    const stad_setup *in_use = stad_calib_setup(&s->calib);
+    const stad_image image = picture_view(right);
+    int status = picture_alloc(out, right->width, right->height, right->channels, f);
+    size_t row = (size_t)right->width * (size_t)right->channels;
+    if (status == TOOL_OK && !in_use->corrected)
+        memcpy(out->pix, right->pix, row * (size_t)right->height);
+    for (int y = 0; y < right->height && status == TOOL_OK && in_use->corrected; y++)
+        if (stad_rig_row(&in_use->rig, &image, y, out->pix + (size_t)y * row) != STAD_OK)
+            status = tool_fail_set(f, TOOL_FILE, "the correction in use does not fit the frames");
+    return status;
+}
+
+static int match_live(simulation *s, const picture *left, const picture *right, sim_row *row, tool_fail *f)
+{
+    picture straight = {0};
+    disparity d = {0};
+    row->params = stad_calib_setup(&s->calib)->params;
+    int status = corrected(s, right, &straight, f);
+    if (status == TOOL_OK)
+        status = engine_run(&s->live, &row->params, left, &straight, &d, NULL, f);
+    if (status == TOOL_OK) {
+        row->counts = *stad_match_counts_of(&s->live.match);
+        row->state = stad_calib_counts(&s->calib, &row->counts);
+        row->share = row->counts.considered > 0 ? (double)row->counts.firm / row->counts.considered : 0;
+        s->alarms += row->state == STAD_MONITOR_DEGRADED;
+    }
+    picture_free(&straight);
+    disparity_free(&d);
+    return status;
+}
+
+static int hold(picture *to, const picture *from, tool_fail *f)
+{
+    picture_free(to);
+    int status = picture_alloc(to, from->width, from->height, from->channels, f);
+    if (status == TOOL_OK)
+        memcpy(to->pix, from->pix, (size_t)from->width * (size_t)from->height * (size_t)from->channels);
+    return status;
+}
+
+static int give_frame(simulation *s, const stad_request *r, const picture *left, const picture *right, tool_fail *f)
+{
+    const stad_image l = picture_view(left), rt = picture_view(right);
+    if (stad_calib_frame(&s->calib, &l, &rt, s->work, s->work_bytes) != 1)
+        return TOOL_OK;
+    int status = hold(&s->held[r->hold][0], left, f);
+    return status ? status : hold(&s->held[r->hold][1], right, f);
+}
+
+static void evaluate(simulation *s, const stad_request *r)
+{
+    const stad_image l = picture_view(&s->held[r->hold][0]), rt = picture_view(&s->held[r->hold][1]);
+    stad_calib_cost(&s->calib, stad_calib_evaluate(&s->calib, r, &s->evaluator, &l, &rt, s->work, s->work_bytes));
+}
+
+/* Notes an outcome when it appears; it is `none` again while the next run is under way. */
+static void note_run(simulation *s, int frame)
+{
+    const stad_calib_report *ended = stad_calib_report_of(&s->calib);
+    int news = ended->outcome != s->last_outcome && ended->outcome != STAD_CALIB_NONE;
+    s->last_outcome = ended->outcome;
+    if (!news || s->run_count == SIM_RUNS)
+        return;
+    sim_run *run = &s->runs[s->run_count++];
+    run->frame = frame;
+    run->report = *ended;
+    run->params = stad_calib_setup(&s->calib)->params;
+    run->corrected = stad_calib_setup(&s->calib)->corrected;
+}
+
+/* Does what is asked for, up to so many evaluations; the pictures are this frame's, or NULL when there is none. */
+static int serve(simulation *s, int frame, const picture *left, const picture *right, long evaluations, tool_fail *f)
+{
+    stad_request r;
+    int status = TOOL_OK, given = 0;
+    while (status == TOOL_OK && stad_calib_want(&s->calib, &r) != STAD_WANT_NOTHING) {
+        if (r.want == STAD_WANT_FRAME && (given || !left || s->rig.focal_px <= 0))
+            break;
+        if (r.want == STAD_WANT_MATCH && evaluations-- <= 0)
+            break;
+        if (r.want == STAD_WANT_FRAME)
+            status = give_frame(s, &r, left, right, f);
+        else if (r.want == STAD_WANT_MATCH)
+            evaluate(s, &r);
+        else
+            stad_calib_saved(&s->calib, stad_store_save(&s->flash.flash, stad_calib_setup(&s->calib)));
+        given |= r.want == STAD_WANT_FRAME;
+        note_run(s, frame);
+    }
+    return status;
+}
+
+static int play(simulation *s, int i, tool_fail *f)
+{
+    picture left, right;
+    sim_row *row = &s->rows[s->row_count];
+    int status = recording_read(&s->frames, i, s->options.color, &left, &right, f);
+    if (status == TOOL_OK && (left.width != s->live.geometry.width || left.height != s->live.geometry.height))
+        status = tool_fail_set(f, TOOL_FILE, "%s: frame %d is %d x %d, those before were %d x %d", s->where, i, left.width, left.height,
+                               s->live.geometry.width, s->live.geometry.height);
+    if (status == TOOL_OK)
+        status = degrade_pair(&s->bad, i, &left, &right, f);
+    if (status == TOOL_OK && i == s->calibrate_at)
+        stad_calib_start(&s->calib);
+    if (status == TOOL_OK)
+        status = match_live(s, &left, &right, row, f);
+    note_run(s, i);
+    if (status == TOOL_OK)
+        status = serve(s, i, &left, &right, s->evaluations_per_frame, f);
+    picture_free(&left);
+    picture_free(&right);
+    row->frame = i;
+    row->phase = stad_calib_report_of(&s->calib)->phase;
+    return status;
+}
+
+/* A frame that cannot be had: what a board sees as a late one. */
+static void miss(simulation *s, int i)
+{
+    stad_request r;
+    sim_row *row = &s->rows[s->row_count];
+    memset(row, 0, sizeof *row);
+    if (stad_calib_want(&s->calib, &r) == STAD_WANT_FRAME)
+        stad_calib_frame(&s->calib, NULL, NULL, s->work, s->work_bytes);
+    note_run(s, i);
+    row->frame = i;
+    row->skipped = 1;
+    row->phase = stad_calib_report_of(&s->calib)->phase;
+    row->params = stad_calib_setup(&s->calib)->params;
+    s->skipped++;
+}
+
+static void show_progress(const simulation *s, int done, double start)
+{
+    double seconds = tool_seconds() - start, rate = seconds > 0 ? done / seconds : 0;
+    progress_line("%d / %d frames, %.1f a second, %.0f s left, %s", done, s->frames.count, rate,
+                  rate > 0 ? (s->frames.count - done) / rate : 0.0, simulate_phase_name(stad_calib_report_of(&s->calib)->phase));
+}
+
+/* The first frame that can be read decides the size. */
+static int first_frame(simulation *s, tool_fail *f)
+{
+    picture left, right;
+    int status = TOOL_FILE;
+    for (int i = 0; i < s->frames.count && status; i++) {
+        status = recording_read(&s->frames, i, s->options.color, &left, &right, f);
+        if (status && !s->keep_going)
+            return status;
+    }
+    if (status)
+        return status;
+    status = set_up(s, &left, f);
+    picture_free(&left);
+    picture_free(&right);
+    return status;
+}
+
+int simulate_run(simulation *s, tool_fail *f)
+{
+    double start = tool_seconds();
+    int status = recording_open(&s->frames, s->where, s->side_by_side, s->raw_width, s->raw_height, f);
+    if (status == TOOL_OK)
+        status = first_frame(s, f);
+    s->stored_slot = -1;
+    for (int i = 0; i < s->frames.count && status == TOOL_OK && (!s->limit || i < s->limit); i++) {
+        status = play(s, i, f);
+        if (status && s->keep_going) {
+            progress_end();
+            tool_note("stad simulate", "skipped: ", f);
+            miss(s, i);
+            status = TOOL_OK;
+        }
+        s->row_count += status == TOOL_OK;
+        show_progress(s, i + 1, start);
+    }
+    if (status == TOOL_OK)
+        status = serve(s, s->frames.count - 1, NULL, NULL, STAD_TUNE_LOG, f); /* a run under way needs no frame to be finished */
+    if (s->rows)
+        s->stored_slot = stad_store_load(&s->flash.flash, &s->stored);
+    if (s->skipped == s->row_count && status == TOOL_OK)
+        status = tool_fail_set(f, TOOL_FILE, "%s: no frame could be read", s->where);
+    s->seconds = tool_seconds() - start;
+    progress_end();
+    return status;
+}
+
+void simulate_free(simulation *s)
+{
+    for (int i = 0; i < 4; i++)
+        picture_free(&s->held[i / 2][i % 2]);
+    engine_close(&s->live);
+    free(s->work);
+    free(s->rows);
+    free(s->command);
+    recording_close(&s->frames);
+}
