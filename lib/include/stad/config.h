@@ -10,7 +10,7 @@
 
 /* Alignment in bytes of every workspace a caller hands in: one vector of the widest port. A static array gets it from
  * STAD_ALIGNED, which gcc and clang spell as an attribute; with another compiler define it before including stad.h. */
-#define STAD_ALIGN 32
+#define STAD_ALIGN 64
 #ifndef STAD_ALIGNED
 #    if defined(__GNUC__)
 #        define STAD_ALIGNED __attribute__((aligned(STAD_ALIGN)))

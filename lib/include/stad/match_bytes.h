@@ -15,7 +15,7 @@
 /* Columns that are handled as one run, so that their costs stay in the nearest cache. */
 #define STAD_RUN 16
 
-#define STAD_BYTES_UP(n)   (((size_t)(n) + 31u) & ~(size_t)31u)
+#define STAD_BYTES_UP(n)     (((size_t)(n) + 63u) & ~(size_t)63u)
 #define STAD_BYTES_MAX(a, b) ((a) > (b) ? (a) : (b))
 
 /* Cells of one row of a cost volume. (width - d) * d grows until d = width / 2, and smaller d than the largest may be asked
@@ -84,11 +84,12 @@
 /* Vertical sums, or the saturating block cost itself. */
 #define STAD_PART_SUMS(w, d) STAD_BYTES_UP(2 * STAD_CELLS(w, d))
 
-/* S of one row; or, where the lanes can give it back, one run and the horizontal path's state at the start of each run. */
+/* S of one row (HH and HH4 copy it to and from the segment, whose rows lie too far for the sweeps to work in); or, where
+ * the lanes can give it back, one run and the horizontal path's state at the start of each run. */
 #define STAD_TOTAL_WHOLE(mode, memory, narrow) ((memory) == 0 || (narrow))
 #define STAD_RESUME_BYTES(w, d) (((size_t)(w) + STAD_RUN - 1) / STAD_RUN * STAD_BYTES_UP(2 * ((size_t)(d) + 1)))
 #define STAD_PART_TOTALS(w, d, mode, memory, narrow) \
-    ((mode) == 1 || (mode) == 3 ? (size_t)0 \
+    (((mode) == 1 || (mode) == 3) && (memory) == 1 ? (size_t)0 \
      : STAD_TOTAL_WHOLE(mode, memory, narrow) \
          ? STAD_BYTES_UP(2 * STAD_CELLS(w, d)) \
          : STAD_BYTES_UP(2 * STAD_RUN * (size_t)(d)) + STAD_RESUME_BYTES(w, d))

@@ -32,13 +32,15 @@ static uint8_t margin(const stad_best *best)
     return narrow_u8((best->runner_up - max_i32(best->least, 0)) * 255 / best->runner_up);
 }
 
+/* Both values are stored either way: whether a vote wins is a coin's toss that a branch would often guess wrong. */
 static void vote(const stad_select_job *job, int32_t x, const stad_best *best)
 {
     const int32_t disparity = best->index + job->min_disparity, right = x - disparity;
-    if (right >= 0 && right < job->width && job->vote_cost[right] > best->least) {
-        job->vote_cost[right] = best->least;
-        job->vote_disp[right] = narrow_i16(disparity);
-    }
+    if (right < 0 || right >= job->width)
+        return;
+    const int16_t cost = job->vote_cost[right], held = job->vote_disp[right];
+    job->vote_cost[right] = min_i16(cost, best->least);
+    job->vote_disp[right] = cost > best->least ? narrow_i16(disparity) : held;
 }
 
 void stad_select_row_c(stad_select_job *job)

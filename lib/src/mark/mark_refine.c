@@ -17,7 +17,7 @@ static int refine_side(const mark_work *w, stad_corner a, stad_corner b, int32_t
     const int32_t dx = b.x_q8 - a.x_q8, dy = b.y_q8 - a.y_q8;
     const int32_t length_q8 = stad_mark_unit_q14(dx, dy, &ux_q14, &uy_q14);
     const int32_t count = clamp_i32(length_q8 / 256, 8, NORMALS);
-    const int32_t skip = max_i32(1, count / 10);
+    const int32_t skip = max_i32(1, count / 16);
     mark_moments m;
     stad_mark_moments_first(&m, a);
     for (int32_t i = skip; i < count - skip; i++) {

@@ -62,9 +62,12 @@ static void keep_block(stad_frame *f, int32_t y)
 /* Row y of the paths from the top; its sums kept, or only the state advanced. */
 static void take_down(stad_frame *f, int32_t y, int keep)
 {
-    const row_sweep kept = {&f->down, NULL, segment_row(f, y), f->g.mode == STAD_MODE_HH, 0, 1};
+    int16_t *total = f->total_row ? f->total_row : segment_row(f, y);
+    const row_sweep kept = {&f->down, NULL, total, f->g.mode == STAD_MODE_HH, 0, 1};
     const row_sweep passed = {&f->down, NULL, NULL, 0, 0, 0};
     sweep_forward(f, keep ? &kept : &passed);
+    if (keep && f->total_row)
+        memcpy(segment_row(f, y), total, 2 * cell_count(f));
     if (keep && !f->safe)
         keep_block(f, y);
 }
@@ -132,11 +135,14 @@ static int second_pass_row(stad_frame *f)
     if (f->safe)
         window_go(f, y);
     const int16_t *block = f->safe ? NULL : segment_block(f, y);
+    int16_t *total = segment_row(f, y);
+    if (f->total_row)
+        total = memcpy(f->total_row, total, 2 * cell_count(f));
     row_open(f);
     if (f->g.mode == STAD_MODE_HH)
-        take_up_hh(f, block, segment_row(f, y));
+        take_up_hh(f, block, total);
     else
-        take_up_hh4(f, block, segment_row(f, y));
+        take_up_hh4(f, block, total);
     row_close(f);
     return STAD_OK;
 }

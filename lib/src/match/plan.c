@@ -118,6 +118,9 @@ static void bind_totals(stad_frame *f, uint8_t *part)
     f->total_row = NULL;
     f->run_total = NULL;
     f->resume = NULL;
+    const int two_pass = g->mode == STAD_MODE_HH || g->mode == STAD_MODE_HH4;
+    if (two_pass && g->memory == STAD_MEMORY_SMALL)
+        return;
     if (STAD_TOTAL_WHOLE(g->mode, g->memory, f->narrow)) {
         f->total_row = take_i16(&part, f->cell_bytes);
     } else {

@@ -39,10 +39,27 @@ void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
 }
 
 /* Votes become disparities of the right view. */
-static void finish_right(const stad_frame *f, int16_t *votes)
+static void finish_right(const stad_frame *f, int16_t *restrict votes)
+{
+    const int16_t *cost = f->vote_cost, none = none_q4(f);
+    for (int32_t x = 0; x < f->g.width; x++)
+        votes[x] = (int16_t)(cost[x] == STAD_COST_MAX ? none : votes[x] * 16); /* |d| <= 2047 */
+}
+
+static int32_t count_valid(const stad_frame *f, const int16_t *disp)
+{
+    const int16_t none = none_q4(f);
+    int32_t valid = 0;
+    for (int32_t x = 0; x < f->columns; x++)
+        valid += disp[f->first_column + x] != none;
+    return valid;
+}
+
+static void clear_where_none(const stad_frame *f, const int16_t *disp, uint8_t *confidence)
 {
     for (int32_t x = 0; x < f->g.width; x++)
-        votes[x] = f->vote_cost[x] == STAD_COST_MAX ? none_q4(f) : (int16_t)(votes[x] * 16); /* |d| <= 2047 */
+        if (disp[x] == none_q4(f))
+            confidence[x] = 0;
 }
 
 void row_close(stad_frame *f)
@@ -51,12 +68,9 @@ void row_close(stad_frame *f)
     const stad_check_job job = {f->raw[slot], f->votes[slot], f->first_column, end, f->g.width,
                                 f->p.min_disparity, f->p.disp12_max_diff};
     f->counts.rejected_check += stad_check_row(&job);
-    for (int32_t x = f->first_column; x < end; x++) {
-        const int valid = f->raw[slot][x] != none_q4(f);
-        f->counts.valid += valid;
-        if (!valid)
-            f->confidence[slot][x] = 0;
-    }
+    f->counts.valid += count_valid(f, f->raw[slot]);
+    if (f->options & STAD_MATCH_CONFIDENCE)
+        clear_where_none(f, f->raw[slot], f->confidence[slot]);
     f->counts.considered += f->columns;
     finish_right(f, f->votes[slot]);
     f->made++;
