@@ -36,6 +36,11 @@ static int32_t zero(const stad_point *x)
     return 0;
 }
 
+static int32_t least_penalties(const stad_point *x)
+{
+    return 1000 + x->v[0] + x->v[1];
+}
+
 static int32_t steep(const stad_point *x)
 {
     return (int32_t)(INT32_MAX - 1 - (int32_t)x->v[3] * 10000000); /* costs far above one, down as uniqueness goes up */
@@ -147,6 +152,19 @@ static void test_tune_huge_costs_do_not_overflow(void)
     TEST_ASSERT_EQUAL_INT(40, x.v[STAD_TUNE_UNIQUENESS_RATIO]);
 }
 
+static void test_tune_smallest_pair_keeps_its_order(void)
+{
+    stad_point x;
+    int32_t cost;
+    config.axis[STAD_TUNE_P2].lo = 1; /* 1 and sqrt(2) round to the same integer */
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+        config.method = (uint8_t)method;
+        run_search(&tune, &config, &sample_start, least_penalties);
+        for (int i = 0; stad_tune_trace(&tune, i, &x, &cost) == STAD_OK; i++)
+            TEST_ASSERT_GREATER_THAN_INT(x.v[STAD_TUNE_P1], x.v[STAD_TUNE_P2]);
+    }
+}
+
 static void test_tune_noise_ends_for_every_seed(void)
 {
     for (uint32_t seed = 1; seed <= 60; seed++) {
@@ -244,6 +262,7 @@ int main(void)
     RUN_TEST(test_tune_budget_of_one_scores_the_start);
     RUN_TEST(test_tune_nothing_free_scores_the_start);
     RUN_TEST(test_tune_huge_costs_do_not_overflow);
+    RUN_TEST(test_tune_smallest_pair_keeps_its_order);
     RUN_TEST(test_tune_noise_ends_for_every_seed);
     RUN_TEST(test_tune_negative_cost_is_refused_and_asked_again);
     RUN_TEST(test_tune_start_out_of_bounds_is_brought_in);
