@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT
+ * cost -> [BOX] -> path
+ * port/isa/riscv_v/box_row_rvv.c - vertical sums of cost rows, and the block costs slid along them. */
+#include <riscv_vector.h>
+
+#include "kernel/kernel.h"
+
+void stad_box_move_row_u8_rvv(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n)
+{
+    uint16_t *to = (uint16_t *)sum;
+    for (size_t left = (size_t)n, vl; left > 0; left -= vl, to += vl, in += vl, out += vl) {
+        vl = __riscv_vsetvl_e8m4(left);
+        const vuint16m8_t more = __riscv_vwaddu_wv_u16m8(__riscv_vle16_v_u16m8(to, vl), __riscv_vle8_v_u8m4(in, vl), vl);
+        __riscv_vse16_v_u16m8(to, __riscv_vwsubu_wv_u16m8(more, __riscv_vle8_v_u8m4(out, vl), vl), vl);
+    }
+}
+
+void stad_box_move_row_u16_rvv(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n)
+{
+    uint16_t *to = (uint16_t *)sum;
+    for (size_t left = (size_t)n, vl; left > 0; left -= vl, to += vl, in += vl, out += vl) {
+        vl = __riscv_vsetvl_e16m8(left);
+        const vuint16m8_t more = __riscv_vadd_vv_u16m8(__riscv_vle16_v_u16m8(to, vl), __riscv_vle16_v_u16m8(in, vl), vl);
+        __riscv_vse16_v_u16m8(to, __riscv_vsub_vv_u16m8(more, __riscv_vle16_v_u16m8(out, vl), vl), vl);
+    }
+}
+
+/* weight <= 2 * block: one byte holds it. */
+void stad_box_add_row_u8_rvv(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight)
+{
+    uint16_t *to = (uint16_t *)sum;
+    if (weight > 255) {
+        stad_box_add_row_u8_c(sum, cost, n, weight);
+        return;
+    }
+    for (size_t left = (size_t)n, vl; left > 0; left -= vl, to += vl, cost += vl) {
+        vl = __riscv_vsetvl_e8m4(left);
+        const vuint8m4_t more = __riscv_vle8_v_u8m4(cost, vl);
+        __riscv_vse16_v_u16m8(to, __riscv_vwmaccu_vx_u16m8(__riscv_vle16_v_u16m8(to, vl), (uint8_t)weight, more, vl), vl);
+    }
+}
+
+/* Column x of the sums, and how far to the next one: columns outside repeat the border. */
+static inline const int16_t *sum_column(const stad_slide_job *job, int32_t x)
+{
+    const int32_t last = job->columns - 1;
+    return job->sum + (ptrdiff_t)(x < 0 ? 0 : x < last ? x : last) * job->disparities;
+}
+
+static inline ptrdiff_t to_next(const stad_slide_job *job, int32_t x)
+{
+    return x >= 0 && x < job->columns - 1 ? job->disparities : 0;
+}
+
+/* vl disparities of the whole run, the running sum in registers. */
+static void slide_strip(const stad_slide_job *job, size_t at, size_t vl, int16_t *to)
+{
+    const int32_t r = job->radius;
+    const int16_t *in = sum_column(job, job->x - r) + at, *out = in;
+    vint16m8_t run = __riscv_vmv_v_x_i16m8((int16_t)job->p2, vl);
+    for (int32_t x = job->x - r; x <= job->x + r; x++) {
+        run = __riscv_vadd_vv_i16m8(run, __riscv_vle16_v_i16m8(in, vl), vl);
+        in += to_next(job, x);
+    }
+    __riscv_vse16_v_i16m8(to, run, vl);
+    for (int32_t i = job->count - 1, x = job->x; i > 0; i--, x++) {
+        run = __riscv_vadd_vv_i16m8(run, __riscv_vle16_v_i16m8(in, vl), vl);
+        run = __riscv_vsub_vv_i16m8(run, __riscv_vle16_v_i16m8(out, vl), vl);
+        to += job->disparities;
+        __riscv_vse16_v_i16m8(to, run, vl);
+        in += to_next(job, x + r + 1);
+        out += to_next(job, x - r);
+    }
+}
+
+void stad_slide_row_rvv(const stad_slide_job *job, int16_t *block)
+{
+    const size_t n = (size_t)job->disparities;
+    for (size_t at = 0, vl; at < n; at += vl) {
+        vl = __riscv_vsetvl_e16m8(n - at);
+        slide_strip(job, at, vl, block + at);
+    }
+}

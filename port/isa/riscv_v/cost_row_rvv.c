@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ * range -> [COST] -> box
+ * port/isa/riscv_v/cost_row_rvv.c - pixel costs, a strip of disparities at once, in bytes.
+ *
+ * low <= value <= high, so of max(0, u - high) and max(0, low - u) one is zero: their maximum is their OR. */
+#include <riscv_vector.h>
+
+#include "kernel/kernel.h"
+
+#define INLINE static inline __attribute__((always_inline))
+
+/* A left sample and its range, and where the right row's samples begin. */
+typedef struct plane_pair {
+    uint8_t value, low, high;
+    const uint8_t *right;
+    ptrdiff_t width;
+} plane_pair;
+
+INLINE plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_t x)
+{
+    const ptrdiff_t width = job->width;
+    const uint8_t *left = job->left + plane * 3 * width + x;
+    plane_pair p = {left[0], left[width], left[2 * width],
+                    job->right + plane * 3 * width + (width - 1 - x + job->min_disparity), width};
+    return p;
+}
+
+/* max(u - v, 0). */
+INLINE vuint8m2_t floor_below(uint8_t u, vuint8m2_t v, size_t vl)
+{
+    return __riscv_vsub_vv_u8m2(__riscv_vmaxu_vx_u8m2(v, u, vl), v, vl);
+}
+
+INLINE vuint8m2_t distance(const plane_pair *p, size_t at, size_t vl)
+{
+    const uint8_t *right = p->right + at;
+    const vuint8m2_t value = __riscv_vle8_v_u8m2(right, vl), low = __riscv_vle8_v_u8m2(right + p->width, vl);
+    const vuint8m2_t high = __riscv_vle8_v_u8m2(right + 2 * p->width, vl);
+    const vuint8m2_t to_right =
+        __riscv_vor_vv_u8m2(floor_below(p->value, high, vl), __riscv_vssubu_vx_u8m2(low, p->value, vl), vl);
+    const vuint8m2_t to_left =
+        __riscv_vor_vv_u8m2(__riscv_vssubu_vx_u8m2(value, p->high, vl), floor_below(p->low, value, vl), vl);
+    return __riscv_vminu_vv_u8m2(to_right, to_left, vl);
+}
+
+void stad_cost_row_u8_rvv(const stad_cost_job *job, uint8_t *cost)
+{
+    const size_t n = (size_t)job->disparities;
+    size_t vl;
+    if (job->channels != 1) {
+        stad_cost_row_u8_c(job, cost);
+        return;
+    }
+    for (int32_t i = 0; i < job->count; i++, cost += n) {
+        const plane_pair gradient = pair_at(job, 0, job->x + i), intensity = pair_at(job, 1, job->x + i);
+        for (size_t at = 0; at < n; at += vl) {
+            vl = __riscv_vsetvl_e8m2(n - at);
+            const vuint8m2_t quarter = __riscv_vsrl_vx_u8m2(distance(&intensity, at, vl), 2, vl);
+            __riscv_vse8_v_u8m2(cost + at, __riscv_vadd_vv_u8m2(distance(&gradient, at, vl), quarter, vl), vl);
+        }
+    }
+}
