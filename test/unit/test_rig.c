@@ -174,7 +174,7 @@ static void test_rig_identity_rows_are_copies(void)
     TEST_ASSERT_EQUAL_INT(STAD_E_SIZE, stad_rig_row(&rig, &image, 80, row));
 }
 
-/* A smooth image shifted, turned and scaled comes back within 3 grey levels, in x and y. */
+/* A smooth image shifted, turned and scaled comes back within 4 grey levels, in x and y. */
 static void test_rig_row_undoes_a_drift(void)
 {
     uint8_t row[CASE_WIDTH];
@@ -198,7 +198,7 @@ static void test_rig_row_undoes_a_drift(void)
         for (int x = 10; x < CASE_WIDTH - 10; x++) {
             const double expected = 128 + 60 * sin((x - 160) / 5.0) + 50 * cos((y - 120) / 6.0);
             snprintf(message, sizeof message, "x %d y %d: %d, not %.1f", x, y, row[x], expected);
-            TEST_ASSERT_TRUE_MESSAGE(fabs(row[x] - expected) <= 3, message);
+            TEST_ASSERT_TRUE_MESSAGE(fabs(row[x] - expected) <= 4, message);
         }
     }
 }

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
- * image -> [mark/mark_edge.c] -> decode, refine - the grey image between pixels, and an edge across a normal.
+ * image -> [mark/mark_edge.c] -> decode, refine - the grey image between pixels, and a straight edge in it.
  *
- * The image is sampled every half pixel along the normal; the edge is where the gradient from dark inside to light outside has
- * its centre, weighted by its square. */
+ * Along the side at most 64 normals, the ends left out. On each the image is sampled every half pixel; the edge is where the
+ * gradient from dark inside to light outside has its centre, weighted by its square. */
 #include "mark/mark_work.h"
 
 #include "base/arith.h"
+
+enum { NORMALS = 64 };
 
 int32_t stad_mark_sample_q8(const mark_work *w, int32_t x_q8, int32_t y_q8)
 {
@@ -17,9 +19,10 @@ int32_t stad_mark_sample_q8(const mark_work *w, int32_t x_q8, int32_t y_q8)
     return (top * (256 - fy) + bottom * fy) / 256;
 }
 
-int stad_mark_edge_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int32_t ny_q14, int32_t reach, int32_t *offset)
+/* Where on the normal (nx, ny) through a point the edge is, Q8 px outwards. 1, or 0 when there is none. */
+static int edge_offset_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int32_t ny_q14, int32_t reach, int32_t *offset)
 {
-    int32_t sample[2 * MARK_REACH + 3];
+    int32_t sample[2 * MARK_MAX_REACH + 3];
     for (int32_t i = 0; i <= 2 * reach + 2; i++) {
         const int32_t t_q8 = (i - reach - 1) * 128;
         sample[i] = stad_mark_sample_q8(w, p.x_q8 + nx_q14 * t_q8 / 16384, p.y_q8 + ny_q14 * t_q8 / 16384) / 16;
@@ -34,4 +37,23 @@ int stad_mark_edge_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int32_t
         return 0;
     *offset = (int32_t)(sum / weight);
     return 1;
+}
+
+int stad_mark_edge_line(const mark_work *w, stad_corner a, stad_corner b, int32_t reach, mark_line *line)
+{
+    int32_t ux_q14, uy_q14;
+    const int32_t dx = b.x_q8 - a.x_q8, dy = b.y_q8 - a.y_q8;
+    const int32_t length_q8 = stad_mark_unit_q14(dx, dy, &ux_q14, &uy_q14);
+    const int32_t count = clamp_i32(length_q8 / 256, 8, NORMALS);
+    const int32_t skip = max_i32(1, count / 16);
+    mark_moments m;
+    stad_mark_moments_first(&m, a);
+    for (int32_t i = skip; i < count - skip; i++) {
+        /* Less than 2^20 * 2^7 = 2^27. */
+        const stad_corner p = {a.x_q8 + dx * (2 * i + 1) / (2 * count), a.y_q8 + dy * (2 * i + 1) / (2 * count)};
+        int32_t offset_q8;
+        if (edge_offset_q8(w, p, uy_q14, -ux_q14, reach, &offset_q8))
+            stad_mark_moments_add(&m, p.x_q8 + uy_q14 * offset_q8 / 16384, p.y_q8 - ux_q14 * offset_q8 / 16384);
+    }
+    return m.n * 2 >= count - 2 * skip && stad_mark_line_fit(&m, line);
 }

@@ -2,10 +2,8 @@
  * contour -> [mark/mark_quad.c] -> cells - four corners and four straight sides, or no quadrilateral.
  *
  * Corners: the point farthest from the centroid, the point farthest from that, and the extremes on both sides of this
- * diagonal. Sides: lines through the middles of the cracks between corners, without the outer eighths, where the corner is
- * rounded. Contours are fitted in Q4. */
+ * diagonal. They only divide the contour; where the lines along its four parts meet are the corners of the quadrilateral. */
 #include "mark/mark_work.h"
-#include "mark/mark_line.h"
 
 #include "base/arith.h"
 
@@ -75,34 +73,6 @@ static int find_corners(const mark_work *w, int32_t *corner)
     return 1;
 }
 
-/* The middle of crack i, Q4. */
-static stad_corner crack_q4(const mark_work *w, int32_t i)
-{
-    const mark_point a = w->contour[i % w->contour_count], b = w->contour[(i + 1) % w->contour_count];
-    const stad_corner middle = {(a.x + b.x) * 8, (a.y + b.y) * 8};
-    return middle;
-}
-
-/* Fits the side from contour point i to k, and refuses a crooked one: mean distance above 1 px + length / 128. */
-static int fit_side(const mark_work *w, int32_t i, int32_t k, mark_line *line)
-{
-    const int32_t skip = (k - i) / 8, first = i + skip, last = k - skip;
-    mark_moments m;
-    stad_mark_moments_first(&m, crack_q4(w, first));
-    for (int32_t n = first; n < last; n++) {
-        const stad_corner p = crack_q4(w, n);
-        stad_mark_moments_add(&m, p.x_q8, p.y_q8);
-    }
-    if (!stad_mark_line_fit(&m, line))
-        return 0;
-    int32_t sum_q4 = 0; /* < 2^13 points * 2^15 */
-    for (int32_t n = first; n < last; n++) {
-        const stad_corner p = crack_q4(w, n);
-        sum_q4 += abs_i32(stad_mark_line_distance_q8(line, p.x_q8, p.y_q8));
-    }
-    return sum_q4 <= (last - first) * (16 + (k - i) / 8);
-}
-
 /* Twice the area of the quadrilateral, px; positive when it is clockwise on the screen. */
 static int32_t quad_area2(const mark_quad *quad)
 {
@@ -120,7 +90,7 @@ int stad_mark_quad(const mark_work *w, int32_t area2, mark_quad *quad)
         return 0;
     corner[4] = corner[0] + w->contour_count;
     for (int i = 0; i < 4; i++)
-        if (!fit_side(w, corner[i], corner[i + 1], &side[i]))
+        if (!stad_mark_side(w, corner[i], corner[i + 1], &side[i]))
             return 0;
     for (int i = 0; i < 4; i++) {
         stad_corner p;

@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "mark/mark_line.h"
 #include "stad/mark.h"
 
 /* A run of dark pixels first..last of one row, and the component it belongs to. */
@@ -74,6 +75,9 @@ void stad_mark_examine(mark_work *w, const mark_component *c);
  * becomes twice the enclosed area. */
 int stad_mark_contour(mark_work *w, const mark_component *c, int32_t *area2);
 
+/* The line along the contour from point i to point k > i (which may be past the last), Q4 px. 1, or 0 when it is crooked. */
+int stad_mark_side(const mark_work *w, int32_t i, int32_t k, mark_line *line);
+
 /* The quadrilateral of w->contour. 1, or 0 when it has none. */
 int stad_mark_quad(const mark_work *w, int32_t area2, mark_quad *quad);
 
@@ -85,11 +89,11 @@ int stad_mark_decode(const mark_work *w, const mark_quad *quad, stad_mark *mark,
 int stad_mark_refine(const mark_work *w, mark_quad *quad);
 
 /* Half pixels on each side of an edge that are looked at, at most. */
-enum { MARK_REACH = 5 };
+enum { MARK_MAX_REACH = 5 };
 
-/* Where on the normal (nx, ny) through a point the edge is, Q8 px outwards, within `reach` half pixels. 1, or 0 when there is
- * none. */
-int stad_mark_edge_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int32_t ny_q14, int32_t reach, int32_t *offset);
+/* The line along the edge near the side from a to b, dark on its right, within `reach` half pixels. 1, or 0 when fewer than half
+ * of the normals meet one. */
+int stad_mark_edge_line(const mark_work *w, stad_corner a, stad_corner b, int32_t reach, mark_line *line);
 
 /* The image at (x, y), bilinear, grey levels in Q8; outside it the border repeats. */
 int32_t stad_mark_sample_q8(const mark_work *w, int32_t x_q8, int32_t y_q8);

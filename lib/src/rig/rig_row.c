@@ -11,13 +11,13 @@
 
 enum { BIAS_PX = 512, PHASE_BITS = 4, MAX_SLOPE_Q24 = 1 << 20, MAX_SHIFT_Q16 = 64 << 16 };
 
-/* Cubic convolution with a = -0.8 in 1/64, each row sums to 64: halfway between pixels it passes a half of the Nyquist frequency
- * at 0.99 of its size. The smoother a = -0.5 passes 0.88, and matching a blurred row against a sharp one costs as much as a
- * third of a small drift. */
+/* Cubic convolution with a = -1 in 1/64, each row sums to 64. Halfway between pixels it passes half of the Nyquist frequency
+ * at 1.06 of its size; the customary a = -0.5 passes 0.88, and matching a blurred row against a sharp one then costs up to a
+ * third of what a small drift did. tools/study/marks measures it. */
 static const int8_t taps[16][4] = {
-    {0, 64, 0, 0}, {-3, 63, 4, 0}, {-5, 62, 8, -1}, {-6, 59, 12, -1}, {-7, 56, 17, -2}, {-8, 53, 22, -3},
-    {-8, 49, 28, -5}, {-7, 44, 33, -6}, {-6, 38, 38, -6}, {-6, 33, 44, -7}, {-5, 28, 49, -8},
-    {-3, 22, 53, -8}, {-2, 17, 56, -7}, {-1, 12, 59, -6}, {-1, 8, 62, -5}, {0, 4, 63, -3},
+    {0, 64, 0, 0}, {-4, 64, 4, 0}, {-6, 62, 9, -1}, {-8, 60, 14, -2}, {-9, 57, 19, -3}, {-9, 53, 24, -4},
+    {-9, 49, 30, -6}, {-9, 45, 35, -7}, {-8, 40, 40, -8}, {-7, 35, 45, -9}, {-6, 30, 49, -9},
+    {-4, 24, 53, -9}, {-3, 19, 57, -9}, {-2, 14, 60, -8}, {-1, 9, 62, -6}, {0, 4, 64, -4},
 };
 
 /* Raw rows: row y lies at slot y modulo `slots`. */
@@ -74,7 +74,7 @@ static void point_at_rows(const source *s, int32_t y0, int32_t height, const uin
 
 static uint8_t blend(const uint8_t *const row[4], const int32_t column[4], const int8_t *across, const int8_t *down)
 {
-    int32_t sum = 0; /* Q12; |taps| sum to at most 90, so |sum| <= 255 * 90 * 90 < 2^21 */
+    int32_t sum = 0; /* Q12; |taps| sum to at most 96, so |sum| <= 255 * 96 * 96 < 2^22 */
     for (int32_t k = 0; k < 4; k++) {
         const int32_t x = column[k];
         sum += across[k] * (row[0][x] * down[0] + row[1][x] * down[1] + row[2][x] * down[2] + row[3][x] * down[3]);

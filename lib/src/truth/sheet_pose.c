@@ -3,6 +3,7 @@
 #include "truth/sheet_pose.h"
 
 #include "base/affine.h"
+#include "base/arith.h"
 #include "base/log.h"
 
 enum { FAR_Q8 = 3000 * 256 };
@@ -63,14 +64,14 @@ static int set_up_vector(sheet_pose *pose)
     uint64_t squares = 0;
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        cross_q32[k] = (pose->along_x[i] * pose->along_y[j] - pose->along_x[j] * pose->along_y[i]) / 65536;
+        cross_q32[k] = ((int64_t)pose->along_x[i] * pose->along_y[j] - (int64_t)pose->along_x[j] * pose->along_y[i]) / 65536;
         squares += (uint64_t)(cross_q32[k] * cross_q32[k]);
     }
     const int64_t scale_q20 = stad_isqrt((uint64_t)stad_isqrt(squares) * 256);
     if (scale_q20 == 0)
         return 0;
     for (int k = 0; k < 3; k++)
-        pose->up[k] = -cross_q32[k] * 4096 / scale_q20;
+        pose->up[k] = (int32_t)(-cross_q32[k] * 4096 / scale_q20);
     return 1;
 }
 
@@ -93,7 +94,8 @@ int stad_sheet_see(const sheet_pose *pose, int32_t x_mm, int32_t y_mm, int32_t h
 {
     int64_t p[3]; /* Q24, below 2^34 + 3 * 2^23 * 2^12 < 2^37 */
     for (int k = 0; k < 3; k++)
-        p[k] = pose->origin[k] + x_mm * pose->along_x[k] + y_mm * pose->along_y[k] + h_mm * pose->up[k];
+        p[k] = pose->origin[k] + (int64_t)x_mm * pose->along_x[k] + (int64_t)y_mm * pose->along_y[k] +
+               (int64_t)h_mm * pose->up[k];
     if (p[2] < 1 << 16)
         return 0;
     const int64_t x = pose->camera.cx_q8 + p[0] * pose->camera.f_q8 / p[2];
@@ -104,5 +106,22 @@ int stad_sheet_see(const sheet_pose *pose, int32_t x_mm, int32_t y_mm, int32_t h
     sight->p.x_q8 = (int32_t)x;
     sight->p.y_q8 = (int32_t)y;
     sight->d_q16 = (int32_t)d_q16;
+    return 1;
+}
+
+int stad_plane_through(const sheet_sight sight[4], stad_plane *plane)
+{
+    const int32_t x0 = sight[0].p.x_q8 / 256, y0 = sight[0].p.y_q8 / 256;
+    stad_affine_sums sums = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+    stad_affine fit; /* v in Q10 over x in Q4 */
+    for (int i = 0; i < 4; i++)
+        stad_affine_add(&sums, (sight[i].p.x_q8 - x0 * 256) / 16, (sight[i].p.y_q8 - y0 * 256) / 16, sight[i].d_q16 / 64);
+    if (!stad_affine_solve(&sums, &fit))
+        return 0;
+    plane->a_q16 = fit.b_q20 / 1024;
+    plane->b_q16 = fit.c_q20 / 1024;
+    if (abs_i32(plane->a_q16) >= 65536 || abs_i32(plane->b_q16) >= 65536)
+        return 0;
+    plane->c_q16 = fit.a_q8 / 4 - plane->a_q16 * x0 - plane->b_q16 * y0; /* |x0| < 2^12: below 2^29 */
     return 1;
 }

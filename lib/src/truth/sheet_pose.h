@@ -10,7 +10,8 @@
 
 /* P = origin + x along_x + y along_y + h up, x, y, h in mm; Q24. */
 typedef struct sheet_pose {
-    int64_t origin[3], along_x[3], along_y[3], up[3];
+    int64_t origin[3];
+    int32_t along_x[3], along_y[3], up[3];
     stad_camera camera;
 } sheet_pose;
 
@@ -26,5 +27,8 @@ int stad_sheet_pose(sheet_pose *pose, const stad_target *target, const stad_came
 
 /* 1, or 0 when the point is behind the camera or too far outside the image. */
 int stad_sheet_see(const sheet_pose *pose, int32_t x_mm, int32_t y_mm, int32_t h_mm, sheet_sight *sight);
+
+/* The plane of disparity through the four corners of a facet. 1, or 0 when it is degenerate or too steep. */
+int stad_plane_through(const sheet_sight sight[4], stad_plane *plane);
 
 #endif

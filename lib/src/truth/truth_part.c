@@ -5,29 +5,10 @@
  * what they hide from the right camera is at most the part's step in disparity wide. */
 #include "truth/truth_part.h"
 
-#include "base/affine.h"
 #include "base/arith.h"
 #include "truth/polygon.h"
 
-enum { MAX_OUTLINE = 16, MIN_FACET_AREA2_Q16 = 16 << 16 };
-
-/* The plane through the four corners of a facet, d as a function of the image. v in Q10 over x in Q4. */
-static int plane_through(const sheet_sight sight[4], stad_plane *plane)
-{
-    const int32_t x0 = sight[0].p.x_q8 / 256, y0 = sight[0].p.y_q8 / 256;
-    stad_affine_sums sums = {0, 0, 0, 0, 0, 0, 0, 0, 0};
-    stad_affine fit;
-    for (int i = 0; i < 4; i++)
-        stad_affine_add(&sums, (sight[i].p.x_q8 - x0 * 256) / 16, (sight[i].p.y_q8 - y0 * 256) / 16, sight[i].d_q16 / 64);
-    if (!stad_affine_solve(&sums, &fit))
-        return 0;
-    plane->a_q16 = fit.b_q20 / 1024;
-    plane->b_q16 = fit.c_q20 / 1024;
-    if (abs_i32(plane->a_q16) >= 65536 || abs_i32(plane->b_q16) >= 65536)
-        return 0;
-    plane->c_q16 = fit.a_q8 / 4 - plane->a_q16 * x0 - plane->b_q16 * y0; /* |x0| < 2^12: below 2^29 */
-    return 1;
-}
+enum { MAX_OUTLINE = 12, MIN_FACET_AREA2_Q16 = 16 << 16 };
 
 int stad_truth_add_facet(stad_truth *t, const sheet_pose *pose, const stad_target_facet *facet)
 {
@@ -42,7 +23,7 @@ int stad_truth_add_facet(stad_truth *t, const sheet_pose *pose, const stad_targe
     }
     const int64_t area2 = stad_polygon_turn(where.p[0], where.p[1], where.p[2]) +
                           stad_polygon_turn(where.p[0], where.p[2], where.p[3]);
-    if (area2 < MIN_FACET_AREA2_Q16 || !plane_through(sight, &plane))
+    if (area2 < MIN_FACET_AREA2_Q16 || !stad_plane_through(sight, &plane))
         return 0;
     const int status = stad_truth_add_plane(t, &plane, &where);
     return status < 0 ? status : 1;
@@ -63,7 +44,8 @@ int stad_truth_add_outline(stad_truth *t, const sheet_pose *pose, const stad_tar
                 !stad_sheet_see(pose, facet->x_mm[i], facet->y_mm[i], 0, &foot))
                 return STAD_E_NO_MARK;
             points[count++] = top.p;
-            points[count++] = foot.p;
+            if (facet->h_mm[i] != 0)
+                points[count++] = foot.p;
             step_q16 = max_i32(step_q16, top.d_q16 - foot.d_q16);
         }
     }

@@ -23,6 +23,11 @@ static void reference_open(void)
     detector->quad_decimate = 1;
 }
 
+int study_bytes(int width, int height)
+{
+    return (int)stad_mark_bytes(width, height);
+}
+
 /* Marks as rows of id, hamming, then x, y of four corners in px from the centre of the first pixel. */
 int study_find(const uint8_t *pix, int width, int height, double *rows, int max)
 {
