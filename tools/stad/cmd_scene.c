@@ -10,6 +10,7 @@
 
 #include "../common/grid.h"
 #include "../scene/scene_draw.h"
+#include "scene_frames.h"
 #include "tool.h"
 
 static const char help[] =
@@ -24,11 +25,16 @@ static const char help[] =
     "  --seed S                     another scene (1)\n"
     "  --noise N                    largest deviation of a pixel by camera noise, grey levels (6)\n"
     "  --gain PERCENT               the right camera's, against the left (100)\n\n"
+    "  --target                     a recording instead: a room in which the calibration target is held up, NNN_left.png, ...\n"
+    "  --frames N                   of it (16)\n"
+    "  --drift PX                   by which the right camera has sunk (0), --from K: from frame K on (0)\n\n"
     "Example: stad scene -o scene && stad match scene/left.png scene/right.png -o disp.pfm --num-disparities 64\n";
 
 typedef struct scene_job {
     const char *folder;
-    long width, height, min_disparity, num_disparities, plates, seed, noise, gain;
+    long width, height, min_disparity, num_disparities, plates, seed, noise, gain, frames, from;
+    double drift;
+    int target;
 } scene_job;
 
 static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
@@ -40,6 +46,10 @@ static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"seed", required_argument, NULL, 's'},
                                       {"noise", required_argument, NULL, 'N'},
                                       {"gain", required_argument, NULL, 'g'},
+                                      {"target", no_argument, NULL, 't'},
+                                      {"frames", required_argument, NULL, 'f'},
+                                      {"drift", required_argument, NULL, 'd'},
+                                      {"from", required_argument, NULL, 'k'},
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
 
@@ -61,6 +71,15 @@ static int take(scene_job *j, int code, tool_fail *f)
         return tool_whole("plates", optarg, 1, SCENE_SURFACES - 1, &j->plates, f);
     case 's':
         return tool_whole("seed", optarg, 0, INT32_MAX, &j->seed, f);
+    case 't':
+        j->target = 1;
+        return TOOL_OK;
+    case 'f':
+        return tool_whole("frames", optarg, 1, 999, &j->frames, f);
+    case 'd':
+        return tool_real("drift", optarg, -32, 32, &j->drift, f);
+    case 'k':
+        return tool_whole("from", optarg, 0, 999, &j->from, f);
     case 'N':
         return tool_whole("noise", optarg, 0, 255, &j->noise, f);
     default:
@@ -110,15 +129,20 @@ static int write_truth(const int32_t *q16, int width, int height, const char *fo
     return status;
 }
 
-static int work(const scene_job *j, tool_fail *f)
+static int record_target(const scene_job *j, tool_fail *f)
+{
+    const scene_frames s = {j->folder, (int)j->width, (int)j->height, (int)j->num_disparities, (int)j->frames, (unsigned)j->seed,
+                            (double)j->noise, j->drift, (int)j->from};
+    if (j->min_disparity != 0 || j->gain != 100)
+        return tool_fail_set(f, TOOL_USAGE, "--min-disparity and --gain do not go with --target");
+    return scene_frames_write(&s, f);
+}
+
+static int draw_plates(const scene_job *j, tool_fail *f)
 {
     static scene s; /* some KiB, and it points into itself */
     picture left, right, visible;
     int32_t *truth;
-    if (strlen(j->folder) > 4000)
-        return tool_fail_set(f, TOOL_USAGE, "the folder's name is too long");
-    if (mkdir(j->folder, 0777) && errno != EEXIST)
-        return tool_fail_set(f, TOOL_FILE, "%s: cannot be made: %s", j->folder, strerror(errno));
     scene_random(&s, (int)j->width, (int)j->height, (int)j->min_disparity, (int)j->num_disparities, (int)j->plates,
                  (uint32_t)j->seed);
     s.camera_noise = (int)j->noise;
@@ -140,9 +164,18 @@ static int work(const scene_job *j, tool_fail *f)
     return status;
 }
 
+static int work(const scene_job *j, tool_fail *f)
+{
+    if (strlen(j->folder) > 4000)
+        return tool_fail_set(f, TOOL_USAGE, "the folder's name is too long");
+    if (mkdir(j->folder, 0777) && errno != EEXIST)
+        return tool_fail_set(f, TOOL_FILE, "%s: cannot be made: %s", j->folder, strerror(errno));
+    return j->target ? record_target(j, f) : draw_plates(j, f);
+}
+
 int cmd_scene(int argc, char **argv)
 {
-    scene_job j = {NULL, 640, 480, 0, 64, 12, 1, 6, 100};
+    scene_job j = {NULL, 640, 480, 0, 64, 12, 1, 6, 100, 16, 0, 0, 0};
     tool_fail f = {0};
     int status = read_options(&j, argc, argv, &f);
     if (status >= 0)

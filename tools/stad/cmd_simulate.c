@@ -25,11 +25,12 @@ static const char help[] =
     "  --calibrate-at K             begin a run at frame K, whatever the monitor says\n"
     "  --evaluations N              matches for the calibration between two frames (4)\n"
     "  --learn-frames N             from which the monitor learns what is usual (30)\n"
+    "  --probation-frames N         after which an adopted set is looked at again, 0 = never (64)\n"
     "  --budget N                   evaluations of a run (the library's)\n"
     "  --cost bad|chow              (bad)\n"
     "  --noise SD, --gain PERCENT, --blur SD, --vignette PERCENT, --dim PERCENT   spoil the frames\n"
     "  --from K                     ... from frame K on (0)\n" MATCH_OPTIONS_HELP
-    "\nExample: stad simulate recording --num-disparities 64 --focal 436.2 --baseline 0.11 --blur 1.5 --from 40 --report r.html\n";
+    "\nExample: stad simulate recording --num-disparities 64 --focal 436.2 --baseline 0.11 --noise 15 --from 40 --report r.html\n";
 
 enum {
     OPT_SIDE = 1,
@@ -46,6 +47,7 @@ enum {
     OPT_EVALUATIONS,
     OPT_LEARN,
     OPT_BUDGET,
+    OPT_PROBATION,
     OPT_COST,
     OPT_NOISE,
     OPT_GAIN,
@@ -69,6 +71,7 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"calibrate-at", required_argument, NULL, OPT_AT},
                                       {"evaluations", required_argument, NULL, OPT_EVALUATIONS},
                                       {"learn-frames", required_argument, NULL, OPT_LEARN},
+                                      {"probation-frames", required_argument, NULL, OPT_PROBATION},
                                       {"budget", required_argument, NULL, OPT_BUDGET},
                                       {"cost", required_argument, NULL, OPT_COST},
                                       {"noise", required_argument, NULL, OPT_NOISE},
@@ -163,6 +166,8 @@ static int take(simulation *s, int code, tool_fail *f)
         return tool_whole("learn-frames", optarg, 2, 1000, &s->learn_frames, f);
     case OPT_BUDGET:
         return tool_whole("budget", optarg, 4, STAD_TUNE_LOG, &s->budget, f);
+    case OPT_PROBATION:
+        return tool_whole("probation-frames", optarg, 0, 32767, &s->probation_frames, f);
     case OPT_COST:
         return take_cost(s, optarg, f);
     default:
@@ -219,7 +224,7 @@ int cmd_simulate(int argc, char **argv)
     tool_fail f = {0};
     s.cx = s.cy = -1;
     s.bad.gain = 100;
-    s.calibrate_at = -1;
+    s.calibrate_at = s.probation_frames = -1;
     s.evaluations_per_frame = 4;
     s.command = report_command(argc, argv);
     int status = read_options(&s, argc, argv, &f);

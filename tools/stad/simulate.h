@@ -45,7 +45,7 @@ typedef struct simulation {
     double cx, cy; /* principal point, px; negative = the middle */
     degrade bad;
     int side_by_side, raw_width, raw_height, keep_going, color;
-    long calibrate_at, evaluations_per_frame, learn_frames, budget, limit;
+    long calibrate_at, evaluations_per_frame, learn_frames, probation_frames, budget, limit;
     int cost;
     /* the board */
     recording frames;

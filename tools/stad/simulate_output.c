@@ -41,10 +41,8 @@ static void print_params(const stad_params *p)
     putchar('\n');
 }
 
-static void print_run(const sim_run *r)
+static void print_costs(const stad_calib_report *c)
 {
-    const stad_calib_report *c = &r->report;
-    printf("frame %d: run ended: %s", r->frame, simulate_outcome_name(c->outcome));
     if (c->evaluations)
         printf(", %d evaluations, tuning pose %.2f -> %.2f %%, other pose %.2f -> %.2f %%", c->evaluations,
                100.0 * c->tune_before_q20 / STAD_COST_ONE, 100.0 * c->tune_after_q20 / STAD_COST_ONE,
@@ -52,6 +50,12 @@ static void print_run(const sim_run *r)
     if (c->fault)
         printf(", last fault: %s", simulate_fault_name(c->fault));
     putchar('\n');
+}
+
+static void print_run(const sim_run *r)
+{
+    printf("frame %d: run ended: %s", r->frame, simulate_outcome_name(r->report.outcome));
+    print_costs(&r->report);
 }
 
 void simulate_print(const simulation *s)
@@ -66,7 +70,12 @@ void simulate_print(const simulation *s)
             printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", s->rows[i].frame, 100 * s->rows[i].share);
     for (int i = 0; i < s->run_count; i++)
         print_run(&s->runs[i]);
-    printf("state: %s\nin use:  ", simulate_phase_name(now->phase));
+    printf("state:   %s", simulate_phase_name(now->phase));
+    if (now->phase != STAD_CALIB_IDLE)
+        print_costs(now);
+    else
+        putchar('\n');
+    fputs("in use:  ", stdout);
     print_params(&stad_calib_setup(&s->calib)->params);
     if (s->stored_slot >= 0) {
         printf("stored:  ");

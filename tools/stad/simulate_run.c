@@ -44,6 +44,8 @@ static int start_calib(simulation *s, const stad_geometry *g, const picture *lef
         config.budget = (int16_t)s->budget;
     if (s->learn_frames)
         config.monitor.learn_frames = (int16_t)s->learn_frames;
+    if (s->probation_frames >= 0)
+        config.probation_frames = (int16_t)s->probation_frames;
     int status = stad_calib_init(&s->calib, &config, &s->initial);
     if (status != STAD_OK)
         return tool_fail_set(f, TOOL_USAGE, "the calibration cannot be set up for these frames and parameters: %s", stad_status_name(status));

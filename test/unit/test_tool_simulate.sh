@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `stad simulate`: every layout of a recording gives the same log; a drawn recording of the target ends with a better set in
+# the store; frames that cannot be read stop it, or are skipped, and nothing that was done is lost.
+set -u
+stad=${STAD_BUILD:?}/stad
+[ -x "$stad" ] || { echo "SKIPPED: $stad is not built"; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
+run() { "$stad" "$@" >out.txt 2>err.txt || fail "stad $*: $(cat err.txt)"; }
+# refuse STATUS REGEX ARGUMENT...
+refuse() {
+    local status=$1 regex=$2 got
+    shift 2
+    "$stad" simulate "$@" >out.txt 2>err.txt
+    got=$?
+    [ $got = "$status" ] && grep -qE -- "$regex" err.txt || fail "stad simulate $*: status $got, $(cat err.txt)"
+}
+number() { tr -d ' \t\n' <"$2" | grep -o "\"$1\":[-0-9.e]*" | head -n 1 | cut -d: -f2; }
+
+run scene -o rec --target --frames 10 --width 320 --height 240 --noise 30 --seed 3
+[ "$(ls rec | wc -l)" = 40 ] || fail "a recording of ten frames has four files each"
+range=(--num-disparities 64 --learn-frames 3)
+
+### layouts ###
+mkdir -p kitti/image_0 kitti/image_1 euroc/mav0/cam0/data euroc/mav0/cam1/data two/left two/right
+for i in 000 001 002 003; do
+    cp rec/${i}_left.png kitti/image_0/$i.png; cp rec/${i}_right.png kitti/image_1/$i.png
+    cp rec/${i}_left.png euroc/mav0/cam0/data/$i.png; cp rec/${i}_right.png euroc/mav0/cam1/data/$i.png
+    cp rec/${i}_left.png two/left/$i.png; cp rec/${i}_right.png two/right/$i.png
+done
+run simulate rec "${range[@]}" --frames 4 --csv rec.csv
+for layout in kitti euroc two; do
+    run simulate $layout "${range[@]}" --csv $layout.csv
+    cmp -s rec.csv $layout.csv || fail "the layout $layout gives another log"
+done
+[ "$(wc -l <rec.csv)" = 5 ] || fail "a log of four frames"
+head -c 38400 /dev/urandom >frames.raw
+run simulate frames.raw --size 160x120 --num-disparities 16 --csv raw.csv
+[ "$(wc -l <raw.csv)" = 2 ] || fail "a raw file of one pair"
+mkdir wide
+{ printf 'P5\n320 120\n255\n'; cat frames.raw; } >wide/0.pgm
+run simulate wide --side-by-side --num-disparities 16
+
+### the whole loop ###
+run simulate rec "${range[@]}" --focal 192 --calibrate-at 1 --evaluations 20 --budget 40 --probation-frames 0 --json loop.json --report loop.html
+grep -q '"outcome":.*"adopted"' loop.json || fail "nothing was adopted: $(cat out.txt)"
+before=$(number judge_before loop.json) after=$(number judge_after loop.json)
+awk -v a="$before" -v b="$after" 'BEGIN { exit !(b < a) }' || fail "the adopted set is no better on the other pose: $before $after"
+grep -q '"stored":.*null' loop.json && fail "nothing was stored"
+grep -q 'run ended: adopted' out.txt || fail "the outcome is not told"
+grep -q '</html>' loop.html || fail "no report"
+run simulate rec "${range[@]}" --focal 192 --calibrate-at 1 --evaluations 20 --budget 40 --probation-frames 0 --json again.json
+[ "$(grep -v seconds loop.json)" = "$(grep -v seconds again.json)" ] || fail "two simulations of the same recording differ"
+
+### an alarm ###
+run simulate rec "${range[@]}" --noise 25 --from 6 --json alarm.json
+tr -d ' \t\n' <alarm.json | grep -q '"alarms":\[[67]\]' || fail "noise from frame 6 on raises no alarm"
+run simulate rec "${range[@]}" --json calm.json
+tr -d ' \t\n' <calm.json | grep -q '"alarms":\[\]' || fail "a steady recording raises an alarm"
+
+### bad input ###
+refuse 3 'nowhere: .*(No such|cannot be read)' nowhere
+refuse 3 'no stereo frames found' wide
+refuse 3 'no whole number of pairs' frames.raw --size 161x120
+refuse 2 '--size 12: must be' frames.raw --size 12
+refuse 2 'block_size 4' rec --block-size 4
+refuse 3 'nowhere/x.csv: cannot be written' rec --csv nowhere/x.csv
+refuse 2 '--cost rmse' rec --cost rmse
+cp -r kitti bad
+head -c 3000 kitti/image_1/002.png >bad/image_1/002.png
+refuse 3 'image_1/002.png: bad PNG' bad "${range[@]}" --csv bad.csv --json bad.json
+[ "$(head -n 3 bad.csv)" = "$(head -n 3 rec.csv)" ] && [ "$(wc -l <bad.csv)" = 3 ] || fail "what was done before the bad frame is lost"
+"$stad" simulate bad "${range[@]}" --keep-going --csv bad.csv >out.txt 2>err.txt || fail "--keep-going stops"
+grep -q 'skipped: .*image_1/002.png' err.txt && grep -q '1 skipped' out.txt || fail "a skipped frame is not told"
+[ "$(wc -l <bad.csv)" = 5 ] && grep -q '^2,skipped,' bad.csv || fail "the log of a recording with a bad frame"
+run scene -o small --width 96 --height 48 --num-disparities 16 --plates 2
+rm -r bad && cp -r kitti bad && cp small/left.png bad/image_0/003.png && cp small/right.png bad/image_1/003.png
+refuse 3 'frame 3 is 96 x 48, those before were 320 x 240' bad "${range[@]}"
+rm -r bad && cp -r kitti bad && rm bad/image_1/001.png
+refuse 3 'image_1/001.png: No such file' bad "${range[@]}"
+"$stad" simulate bad "${range[@]}" --keep-going >out.txt 2>err.txt && grep -q '1 skipped' out.txt || fail "a missing right frame"
+[ $failures = 0 ] && echo "all as expected"
