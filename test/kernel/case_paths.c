@@ -177,15 +177,28 @@ int case_gather(kernel_case *k)
 
 /* -- winners: few different totals, so that the least comes up more than once ---------------------------------------------- */
 
+/* Exactly two least totals of a column, a multiple of 8 apart: what the 3WAY rule decides otherwise. */
+static void plant_ties(chance *c, int16_t *total, int32_t count, int32_t n, int32_t low)
+{
+    for (int32_t i = 0; i < count; i++, total += n) {
+        const int32_t first = chance_between(c, 0, n - 1), lane = first % 8;
+        for (int32_t d = 0; d < n; d++)
+            total[d] = (int16_t)(total[d] == low ? low + 1 : total[d]);
+        total[first] = total[lane + 8 * chance_between(c, 0, n / 8 - 1)] = (int16_t)low;
+    }
+}
+
 static int case_best_of(kernel_case *k, best_kernel *kernel, best_kernel *kernel_c)
 {
     chance *c = &k->chance;
     const int32_t n = k->size, count = chance_between(c, 1, 16), spread = chance_draw(c) % 3 ? chance_between(c, 0, 12) : 65535;
     const int32_t low = chance_draw(c) % 4 == 0 ? STAD_COST_MAX - 1 : chance_between(c, INT16_MIN, STAD_COST_MAX);
     const int32_t from = spread == 65535 ? INT16_MIN : low, to = low + spread < STAD_COST_MAX ? low + spread : STAD_COST_MAX;
-    const int16_t *total = room_i16(c, count * n, from, to);
+    int16_t *total = room_i16(c, count * n, from, to);
     stad_best *mine = room_take(c, (size_t)count * sizeof *mine, 2), *reference = room_twin(mine);
     snprintf(k->text, sizeof k->text, "count %d disparities %d totals %d..%d", count, n, from, to);
+    if (from < STAD_COST_MAX && chance_draw(c) % 2)
+        plant_ties(c, total, count, n, from);
     kernel(total, count, n, mine);
     kernel_c(total, count, n, reference);
     return memcmp(mine, reference, (size_t)count * sizeof *mine) == 0;

@@ -4,6 +4,7 @@
  * Sizes are swept, the rest is drawn from a seed (environment: STAD_SEED, default 1; STAD_ROUNDS cases a size, default 24). A
  * difference is printed with what repeats it. A tier that the processor lacks is UNAVAILABLE and its tests are ignored.
  * `test_kernel tier` runs nothing: it says whether the tier that STAD_ISA asks for is in use (exit 77: it is not). */
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,6 +56,21 @@ static uint32_t from_environment(const char *name, uint32_t otherwise)
     return value ? (uint32_t)strtoul(value, NULL, 10) : otherwise;
 }
 
+/* The case at hand, for the message when a kernel touches a forbidden page. */
+static struct {
+    const kernel_case *k;
+    const char *name;
+    uint32_t seed, round;
+} now;
+
+static void on_fault(int signal_number)
+{
+    printf("FAIL: %s %s: STAD_SEED=%u size %d round %u: %s: read or wrote outside its buffers (signal %d)\n", set->name,
+           now.name, now.seed, now.k->size, now.round, now.k->text, signal_number);
+    fflush(stdout);
+    _Exit(1);
+}
+
 static void run_case(const char *name, any_case *run, int32_t size, uint32_t seed, uint32_t round)
 {
     kernel_case k = {set, size, {0, FILL_EVEN}, ""};
@@ -64,6 +80,10 @@ static void run_case(const char *name, any_case *run, int32_t size, uint32_t see
     k.chance.fill = (enum fill)(round % FILL_COUNT);
     for (int i = 0; i < 4; i++)
         chance_draw(&k.chance);
+    now.k = &k;
+    now.name = name;
+    now.seed = seed;
+    now.round = round;
     same = run(&k);
     intact = rooms_intact();
     snprintf(message, sizeof message, "%s %s %s: STAD_SEED=%u size %d round %u: %s %s", set->name, name,
@@ -182,6 +202,8 @@ int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "tier") == 0)
         return say_tier();
+    signal(SIGSEGV, on_fault);
+    signal(SIGBUS, on_fault);
     UNITY_BEGIN();
     printf("tier in use: %s\n", tier_in_use());
     for (int i = 0; i < SETS; i++) {
