@@ -190,6 +190,7 @@ typedef struct stad_calib {
     stad_tune tune;
     stad_point pick, tuned;      /* the picked preset (or the set in use), the tuner's best */
     int32_t pick_q20, tuned_q20; /* their costs on the tuning frame */
+    int32_t pick_score_q20;      /* the same with the preset's handicap */
     int32_t judged_q20[3];       /* on the other pose: the set in use, the pick, the tuned one */
     int32_t compared_q20;        /* on probation: the new set's cost */
     int16_t step;                /* within a phase */

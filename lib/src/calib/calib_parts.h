@@ -15,7 +15,11 @@ int stad_calib_point_equal(const stad_point *a, const stad_point *b);
 int stad_calib_fits(const stad_geometry *g, const stad_params *params); /* 1: the live matcher would take them */
 void stad_calib_tune_config(const stad_calib *c, int budget, stad_tune_config *out);
 
+/* -- presets.c */
+int32_t stad_calib_handicap_q16(int i); /* by how much the target flatters preset i; 0 for any other number */
+
 /* -- rule.c: costs into decisions */
+int32_t stad_calib_raised(int32_t cost_q20, int64_t by_q16);
 int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20, int32_t lambda_q16);
 int32_t stad_calib_margin(int32_t cost_q20, int32_t pixels, int32_t least_q20);
 int stad_calib_is_better(int32_t now_q20, int32_t was_q20, int32_t margin_q20); /* now + margin <= was; a failure never is */

@@ -24,16 +24,20 @@ static int64_t squared_steps_q32(const stad_point *a, const stad_point *b)
     return p1 * p1 + p2 * p2 + cap * cap + margin * margin;
 }
 
-/* (cost + 1 point) (1 + lambda d^2) - 1 point: zero distance leaves the cost as it is. */
-int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20, int32_t lambda_q16)
+/* (cost + 1 point) (1 + by) - 1 point: `by` 0 leaves the cost as it is, and a cost of nothing is raised too. */
+int32_t stad_calib_raised(int32_t cost_q20, int64_t by_q16)
 {
     const int64_t point = STAD_COST_ONE / 100;
     if (cost_q20 == STAD_COST_FAILED)
         return STAD_COST_FAILED;
-    int64_t square_q16 = squared_steps_q32(start, x) / 65536; /* < 2^28 */
-    int64_t factor_q16 = square_q16 * lambda_q16 / 65536;     /* lambda <= 1: < 2^28 */
-    int64_t cost = cost_q20 + (cost_q20 + point) * factor_q16 / 65536;
+    int64_t cost = cost_q20 + (cost_q20 + point) * by_q16 / 65536; /* < 2^31 * 2^28 before the division */
     return cost < STAD_COST_FAILED ? (int32_t)cost : STAD_COST_FAILED - 1;
+}
+
+int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20, int32_t lambda_q16)
+{
+    int64_t square_q16 = squared_steps_q32(start, x) / 65536; /* < 2^28 */
+    return stad_calib_raised(cost_q20, square_q16 * lambda_q16 / 65536); /* lambda <= 1 */
 }
 
 /* max(least, 3 sqrt(p (1 - p) / n)), n = pixels / 100: neighbouring pixels fail together, so a hundred count as one. */

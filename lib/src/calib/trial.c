@@ -30,6 +30,7 @@ void stad_calib_trial_begin(stad_calib *c)
 {
     c->pick = active_point(c);
     c->pick_q20 = STAD_COST_FAILED;
+    c->pick_score_q20 = STAD_COST_FAILED;
     c->tuned_q20 = STAD_COST_FAILED;
     for (int i = 0; i < 3; i++)
         c->judged_q20[i] = STAD_COST_FAILED;
@@ -130,7 +131,14 @@ static void tune(stad_calib *c)
     stad_calib_enter(c, STAD_CALIB_TUNE);
 }
 
-/* A pick that is worse on the other pose is dropped before tuning starts from it. */
+/* A pick is worse on the other pose than the set in use, its handicap counted. */
+static int pick_is_worse(const stad_calib *c)
+{
+    int32_t score_q20 = stad_calib_raised(c->judged_q20[JUDGE_PICK], stad_calib_handicap_q16(c->report.preset));
+    return score_q20 > c->judged_q20[JUDGE_ACTIVE];
+}
+
+/* ... then it is dropped before tuning starts from it. */
 static void judged(stad_calib *c, int32_t cost_q20)
 {
     c->judged_q20[c->step] = cost_q20;
@@ -143,7 +151,7 @@ static void judged(stad_calib *c, int32_t cost_q20)
         return;
     }
     c->report.judge_before_q20 = c->judged_q20[JUDGE_ACTIVE];
-    if (c->step == JUDGE_PICK && c->config.rule != STAD_RULE_NONE && cost_q20 > c->judged_q20[JUDGE_ACTIVE]) {
+    if (c->step == JUDGE_PICK && c->config.rule != STAD_RULE_NONE && pick_is_worse(c)) {
         c->pick = active_point(c);
         c->pick_q20 = c->report.tune_before_q20;
         c->report.preset = -1;
@@ -157,9 +165,11 @@ static void picked(stad_calib *c, int32_t cost_q20)
     stad_calib_trial_point(c, &point);
     if (c->step == 0)
         c->report.tune_before_q20 = cost_q20;
-    if (cost_q20 < c->pick_q20) {
+    int32_t score_q20 = stad_calib_raised(cost_q20, stad_calib_handicap_q16(c->step - 1));
+    if (score_q20 < c->pick_score_q20) {
         c->pick = point;
         c->pick_q20 = cost_q20;
+        c->pick_score_q20 = score_q20;
         c->report.preset = (int8_t)(c->step - 1);
     }
     do {

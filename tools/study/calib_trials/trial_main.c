@@ -62,8 +62,39 @@ static void show(const bench *b, stad_calib *c, int which)
         fprintf(stderr, "frame %d: %s, fault %d\n", which, stad_status_name(status), stad_calib_report_of(c)->fault);
 }
 
-/* Runs the loop to its end. */
-static stad_calib_report run(const bench *b, int rule, int tunes, stad_params *adopted)
+/* Set in use and presets: cost on the tuning pose, on the other pose, bad share of the rest; percent. */
+static double rest_bad(bench *b, const stad_params *p);
+
+static void print_ladder(bench *b, stad_calib *c)
+{
+    static stad_evaluator evaluator;
+    stad_request r;
+    stad_point x;
+    stad_calib_want(c, &r);
+    for (int i = -1; i < STAD_PRESETS; i++) {
+        double q[2];
+        if (i >= 0) {
+            stad_calib_preset(i, 1, &x, NULL);
+            r.params.p1 = x.v[STAD_TUNE_P1];
+            r.params.p2 = x.v[STAD_TUNE_P2];
+            r.params.block_size = x.v[STAD_TUNE_BLOCK_SIZE];
+            r.params.uniqueness_ratio = x.v[STAD_TUNE_UNIQUENESS_RATIO];
+            r.params.pre_filter_cap = (int16_t)(x.v[STAD_TUNE_PRE_FILTER_CAP] | 1);
+            r.params.disp12_max_diff = x.v[STAD_TUNE_DISP12_MAX_DIFF];
+        }
+        for (int hold = 0; hold < 2; hold++) {
+            const stad_image left = picture_view(&b->frame[hold].left), right = picture_view(&b->frame[hold].right);
+            r.hold = (uint8_t)hold;
+            r.box = c->pose[hold].box;
+            q[hold] = stad_calib_evaluate(c, &r, &evaluator, &left, &right, b->work, b->work_bytes) / 10485.76;
+        }
+        printf("%s[%.4f, %.4f, %.4f]", i < 0 ? "\"ladder\": [" : ", ", q[0], q[1], rest_bad(b, &r.params));
+    }
+    printf("], ");
+}
+
+/* Runs the loop to its end; with `ladder` set, prints what the presets are worth when the trial begins. */
+static stad_calib_report run(bench *b, int rule, int tunes, int ladder, stad_params *adopted)
 {
     static stad_calib c;
     static stad_evaluator evaluator;
@@ -86,6 +117,9 @@ static stad_calib_report run(const bench *b, int rule, int tunes, stad_params *a
         if (r.want == STAD_WANT_FRAME) {
             show(b, &c, r.hold);
         } else if (r.want == STAD_WANT_MATCH) {
+            if (ladder)
+                print_ladder(b, &c);
+            ladder = 0;
             const stad_image left = picture_view(&b->frame[r.hold].left), right = picture_view(&b->frame[r.hold].right);
             stad_calib_cost(&c, stad_calib_evaluate(&c, &r, &evaluator, &left, &right, b->work, b->work_bytes));
         } else {
@@ -109,8 +143,8 @@ static double rest_bad(bench *b, const stad_params *p)
 
 static void try_rule(bench *b, const char *name, int rule, int tunes)
 {
-    stad_params p;
-    stad_calib_report r = run(b, rule, tunes, &p);
+    stad_params p = b->start.params;
+    stad_calib_report r = run(b, rule, tunes, rule == STAD_RULE_DEFAULT && !tunes, &p);
     print_params(name, &p);
     printf("\"%s\": {\"bad\": %.4f, \"outcome\": %d, \"fault\": %d, \"evaluations\": %d, \"preset\": %d, \"tuned\": %d, "
            "\"tune\": [%.3f, %.3f], \"judge\": [%.3f, %.3f], \"verdict\": %d, \"worst_px\": %.3f}, ",
@@ -174,9 +208,11 @@ int main(int argc, char **argv)
         picture_write_png(&b.frame[1].left, "trial-other.png", &f);
     }
     printf("{\"kind\": \"%s\", \"seed\": %u, ", target_kind_name(kind), b.seed);
-    try_rule(&b, "default", STAD_RULE_DEFAULT, 1);
-    try_rule(&b, "strict", STAD_RULE_STRICT, 1);
-    try_rule(&b, "none", STAD_RULE_NONE, 1);
+    if (getenv("STAD_PICK_ONLY") == NULL) {
+        try_rule(&b, "default", STAD_RULE_DEFAULT, 1);
+        try_rule(&b, "strict", STAD_RULE_STRICT, 1);
+        try_rule(&b, "none", STAD_RULE_NONE, 1);
+    }
     try_rule(&b, "pick", STAD_RULE_DEFAULT, 0);
     if (argc > 8 && atoi(argv[8]) > 0)
         try_full(&b, atoi(argv[8]));
