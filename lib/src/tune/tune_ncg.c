@@ -17,7 +17,7 @@
 #define TUNE_POLLS 1
 #endif
 
-#ifndef TUNE_FOLLOW
+#ifndef TUNE_FOLLOW /* 0: do not go on along an iteration's way (a switch for the ablation) */
 #define TUNE_FOLLOW 1
 #endif
 
@@ -68,7 +68,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
 {
     tune_walk w;
     int32_t polled_at = -1;
-    int moved;
+    int moved, leapt;
     const int32_t least = reach < REACH_AGAIN ? reach / 4 : REACH_LEAST;
     stad_tune_walk_from(t, &w, x, cost, reach);
     for (int k = 1; k <= ITERATIONS; k++) {
@@ -94,7 +94,9 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
             if (w.step <= least) {
                 if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
                     return 0;
-                if (!moved)
+                if (!stad_tune_leap(t, &w, &leapt))
+                    return 0;
+                if (!moved && !leapt)
                     return 1;
                 forget_curve(t, &w);
                 w.step = reach < REACH_AGAIN ? reach : REACH_AGAIN;

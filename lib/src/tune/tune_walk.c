@@ -188,3 +188,29 @@ int stad_tune_poll(stad_tune *t, tune_walk *w, int i, int *moved)
     }
     return 1;
 }
+
+int stad_tune_leap(stad_tune *t, tune_walk *w, int *moved)
+{
+    *moved = 0;
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        const stad_tune_axis *a = &t->config.axis[i];
+        if (!stad_tune_is_free(&t->config, i) || a->scale != STAD_TUNE_LOG2)
+            continue;
+        for (int k = 0; k < 2; k++) {
+            stad_point x, end = w->x;
+            int32_t cost;
+            tune_vars v;
+            end.v[i] = k == 0 ? a->lo : a->hi;
+            stad_tune_to_vars(&t->config, &end, &v);
+            stad_tune_to_point(t, &v, &x);
+            if (!stad_tune_look(t, &x, &cost))
+                return 0;
+            if (cost < w->cost) {
+                stad_tune_walk_move(t, w, &x, cost);
+                w->curve[i] = 0;
+                *moved = 1;
+            }
+        }
+    }
+    return 1;
+}

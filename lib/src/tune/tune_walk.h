@@ -41,6 +41,10 @@ int stad_tune_follow(stad_tune *t, tune_walk *w, const tune_vars *from);
 /* Tries the two neighbours of discrete axis i, the side of the last success first; moves to the first that is better. */
 int stad_tune_poll(stad_tune *t, tune_walk *w, int i, int *moved);
 
+/* Tries both ends of the plain logarithmic axes; moves to what is better. Costs have a second valley there: on some scenes the
+ * pre-filter cap works nearly as well at 15 as at 127, and badly between. */
+int stad_tune_leap(stad_tune *t, tune_walk *w, int *moved);
+
 /* to - from as costs, held to +-2^24. */
 int32_t stad_tune_rise(int32_t from, int32_t to);
 
