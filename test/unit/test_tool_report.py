@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The HTML reports of `stad tune` and `stad eval`: one file, no network, and in a browser they render and their sliders move.
+"""The HTML reports of `stad tune`, `eval` and `simulate`: one file, no network, and in a browser they render and their sliders move.
 
 The browser half needs Chromium and Playwright (Debian: chromium; Python: playwright) and says so when it is left out."""
 import os
@@ -19,7 +19,7 @@ RANGE = ["--min-disparity", "0", "--num-disparities", "32"]
 
 
 def stad(*args):
-    subprocess.run([STAD, *map(str, args)], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([STAD, *map(str, args)], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def make_reports(work):
@@ -30,7 +30,12 @@ def make_reports(work):
          "--focal", 500, "--baseline", 0.1, "--report", odd)
     stad("match", left, right, "-o", work / "d.npy", *RANGE)
     stad("eval", work / "d.npy", truth, *RANGE, "--report", work / "eval.html")
-    return odd, work / "eval.html"
+    for i in range(3):
+        shutil.copy(left, work / f"{i}_left.png")
+        shutil.copy(right, work / f"{i}_right.png")
+    (work / "1_left.png").write_bytes(b"no picture")
+    stad("simulate", work, *RANGE, "--keep-going", "--report", work / "simulate.html")
+    return odd, work / "eval.html", work / "simulate.html"
 
 
 def png_size(data):
@@ -96,9 +101,10 @@ def main():
         print(f"SKIPPED: {STAD} is not built")
         return 77
     with tempfile.TemporaryDirectory() as folder:
-        tune, evaluation = make_reports(Path(folder))
+        tune, evaluation, simulation = make_reports(Path(folder))
         check_tune(tune)
         check_text(evaluation, 3)
+        assert check_text(simulation, 2).count('class="skipped"') == 1, "the skipped frame is not in the plot"
         chromium = shutil.which("chromium") or shutil.which("chromium-browser")
         try:
             from playwright.sync_api import sync_playwright
@@ -111,6 +117,7 @@ def main():
             browser = p.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
             check_in_browser(tune, browser, 3)
             check_in_browser(evaluation, browser, 1)
+            check_in_browser(simulation, browser, 1)
             browser.close()
     print("text and browser as they should be")
     return 0

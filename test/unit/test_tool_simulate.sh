@@ -56,6 +56,27 @@ grep -q '</html>' loop.html || fail "no report"
 run simulate rec "${range[@]}" --focal 192 --calibrate-at 1 --evaluations 20 --budget 40 --probation-frames 0 --json again.json
 [ "$(grep -v seconds loop.json)" = "$(grep -v seconds again.json)" ] || fail "two simulations of the same recording differ"
 
+### the same on the host, from one pair ###
+run tune rec/002_left.png rec/002_right.png --fiducials --focal 192 --num-disparities 64 --max-evals 30 --json marks.json
+start=$(number bad marks.json) best=$(tr -d ' \t\n' <marks.json | sed 's/.*"best":{//' | grep -o '"bad":[0-9.e-]*' | cut -d: -f2)
+awk -v a="$start" -v b="$best" 'BEGIN { exit !(b < a) }' || fail "tuned on the target: bad $start, then $best"
+for set in start best; do
+    params=() && [ $set = best ] && params=(--params marks.json)
+    run match rec/008_left.png rec/008_right.png -o $set.npy --num-disparities 64 "${params[@]}"
+    run eval $set.npy rec/008_disp.pfm --min-disparity 0 --num-disparities 64 --mask rec/008_nonocc.png --json
+    number 1 out.txt >$set.bad
+done
+awk -v a="$(cat start.bad)" -v b="$(cat best.bad)" 'BEGIN { exit !(b < a) }' ||
+    fail "what was tuned on the target is worse on the whole of another frame: $(cat start.bad best.bad)"
+run scene -o sunk --target --frames 1 --width 320 --height 240 --drift 2
+"$stad" tune sunk/000_left.png sunk/000_right.png --fiducials --focal 192 2>err.txt >out.txt
+[ $? = 1 ] && grep -q 'the rows of the two views differ' err.txt || fail "a sunk camera is not refused: $(cat err.txt)"
+"$stad" tune rec/002_left.png rec/002_left.png --fiducials 2>err.txt >out.txt
+[ $? = 2 ] && grep -q -- '--focal' err.txt || fail "--fiducials without --focal"
+run scene -o plain --width 320 --height 240 --plates 3
+"$stad" tune plain/left.png plain/right.png --fiducials --focal 192 2>err.txt >out.txt
+[ $? = 3 ] && grep -q '0 marks on the left' err.txt || fail "a pair without marks: $(cat err.txt)"
+
 ### an alarm ###
 run simulate rec "${range[@]}" --noise 25 --from 6 --json alarm.json
 tr -d ' \t\n' <alarm.json | grep -q '"alarms":\[[67]\]' || fail "noise from frame 6 on raises no alarm"

@@ -92,14 +92,6 @@ static int take_size(simulation *s, const char *text, tool_fail *f)
     return tool_fail_set(f, TOOL_USAGE, "--size %s: must be WIDTHxHEIGHT, each in 16..%d", text, PICTURE_SIDE_MAX);
 }
 
-static int take_center(simulation *s, const char *text, tool_fail *f)
-{
-    char end;
-    if (sscanf(text, "%lf,%lf%c", &s->cx, &s->cy, &end) == 2 && s->cx >= 0 && s->cy >= 0 && s->cx < 1e5 && s->cy < 1e5)
-        return TOOL_OK;
-    return tool_fail_set(f, TOOL_USAGE, "--center %s: must be X,Y in pixels", text);
-}
-
 static int take_cost(simulation *s, const char *name, tool_fail *f)
 {
     s->cost = tune_cost_of(name);
@@ -157,7 +149,7 @@ static int take(simulation *s, int code, tool_fail *f)
         return code == OPT_FOCAL ? tool_real("focal", optarg, 16, 1e5, &s->rig.focal_px, f)
                                  : tool_real("baseline", optarg, 1e-4, 1e3, &s->rig.baseline_m, f);
     case OPT_CENTER:
-        return take_center(s, optarg, f);
+        return tool_point("center", optarg, &s->cx, &s->cy, f);
     case OPT_AT:
         return tool_whole("calibrate-at", optarg, 0, INT32_MAX, &s->calibrate_at, f);
     case OPT_EVALUATIONS:

@@ -12,11 +12,13 @@
 
 static const char help[] =
     "usage: stad tune LEFT RIGHT --truth FILE [options]\n"
+    "       stad tune LEFT RIGHT --fiducials --focal PX [options]\n"
     "       stad tune --scenes LIST.json [options]\n\n"
     "Searches the matcher's parameters for the least cost, by nonlinear conjugate gradient on the lattice of whole numbers.\n\n"
     "  --truth FILE, --mask FILE, --truth-scale S   as for `stad eval`\n"
     "  --scenes LIST.json   [{\"left\": FILE, \"right\": FILE, \"truth\": FILE, \"mask\": FILE, \"truth_scale\": S,\n"
     "                       \"min_disparity\": N, \"num_disparities\": N}, ...], the last four as needed; the mean cost counts\n"
+    "  --fiducials          the frames show the target of `stad sheet`: its planes are the truth\n"
     "  --method ncg|ncg-paper|sd|hybrid             (ncg)\n"
     "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
     "  --threshold PX       error above which a pixel is wrong (1)\n"
@@ -26,7 +28,8 @@ static const char help[] =
     "  --json OUT           start, best and the trace of costs\n"
     "  --header OUT.h       the best parameters as C\n"
     "  --report OUT.html    before and after, to look at: one file\n"
-    "  --focal PX, --baseline METRES                of the rig: the report shows distances too\n" MATCH_OPTIONS_HELP
+    "  --focal PX, --center X,Y                     of both cameras, for --fiducials (the middle)\n"
+    "  --baseline METRES    with --focal the report shows distances too\n" MATCH_OPTIONS_HELP
     "\nExample: stad tune left.png right.png --truth truth.pfm --num-disparities 64 --json tuned.json\n"
     "         stad match left.png right.png --params tuned.json -o disp.npy\n";
 
@@ -46,7 +49,8 @@ enum {
     OPT_REPORT,
     OPT_FOCAL,
     OPT_BASELINE,
-    OPT_LATER
+    OPT_CENTER,
+    OPT_FIDUCIALS
 };
 
 static const struct option longs[] = {MATCH_OPTIONS,
@@ -65,7 +69,8 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"report", required_argument, NULL, OPT_REPORT},
                                       {"focal", required_argument, NULL, OPT_FOCAL},
                                       {"baseline", required_argument, NULL, OPT_BASELINE},
-                                      {"fiducials", no_argument, NULL, OPT_LATER},
+                                      {"center", required_argument, NULL, OPT_CENTER},
+                                      {"fiducials", no_argument, NULL, OPT_FIDUCIALS},
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
 
@@ -157,8 +162,11 @@ static int take(tune_job *j, int code, tool_fail *f)
     case OPT_FOCAL:
     case OPT_BASELINE:
         return report_rig_option(&j->rig, code == OPT_FOCAL, optarg, f);
+    case OPT_CENTER:
+        return tool_point("center", optarg, &j->cx, &j->cy, f);
     default:
-        return tool_fail_set(f, TOOL_USAGE, "--fiducials is not part of this version; a board tunes so by itself");
+        one->fiducials = 1;
+        return TOOL_OK;
     }
 }
 
@@ -168,8 +176,11 @@ static int take_words(tune_job *j, int argc, char **argv, tool_fail *f)
         return f->status;
     if (j->list)
         return TOOL_OK;
-    if (!j->set.scene[0].truth_path)
-        return tool_fail_set(f, TOOL_USAGE, "--truth FILE or --scenes LIST.json is wanted: what to tune on");
+    const scored_scene *one = &j->set.scene[0];
+    if (!one->truth_path && !one->fiducials)
+        return tool_fail_set(f, TOOL_USAGE, "--truth FILE, --fiducials or --scenes LIST.json is wanted: what to tune on");
+    if (one->fiducials && (one->truth_path || one->mask_path || j->rig.focal_px <= 0))
+        return tool_fail_set(f, TOOL_USAGE, "--fiducials goes with --focal PX, and without --truth and --mask");
     j->set.scene[0].left_path = argv[optind];
     j->set.scene[0].right_path = argv[optind + 1];
     return TOOL_OK;
@@ -233,6 +244,7 @@ int cmd_tune(int argc, char **argv)
     static tune_job j; /* holds the tuner's log */
     tool_fail f = {0};
     j.how.threshold = 1;
+    j.cx = j.cy = -1;
     if (scene_set_single(&j.set, &f))
         return tool_report(argv[0], &f);
     j.command = report_command(argc, argv);

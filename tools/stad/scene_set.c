@@ -4,9 +4,11 @@
 
 #include <cjson/cJSON.h>
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/truth_marks.h"
 #include "../common/whole_file.h"
 
 #define LIST_FILE_MAX ((size_t)16 << 20)
@@ -112,8 +114,9 @@ int scene_set_list(scene_set *s, const char *path, tool_fail *f)
 static int read_scene(scored_scene *c, int color, tool_fail *f)
 {
     int status = engine_read_pair(&c->left, &c->right, c->left_path, c->right_path, color, f);
-    if (status == TOOL_OK)
-        status = truth_read(&c->truth, c->truth_path, c->truth_scale, c->min_disparity == INT_MAX ? 0 : c->min_disparity, f);
+    if (status || c->fiducials)
+        return status;
+    status = truth_read(&c->truth, c->truth_path, c->truth_scale, c->min_disparity == INT_MAX ? 0 : c->min_disparity, f);
     if (status == TOOL_OK && c->mask_path)
         status = truth_mask(&c->truth, c->mask_path, f);
     if (status == TOOL_OK && (c->truth.width != c->left.width || c->truth.height != c->left.height))
@@ -144,6 +147,15 @@ void scene_set_free(scene_set *s)
     free(s->owned);
     free(s->scene);
     memset(s, 0, sizeof *s);
+}
+
+int scene_find_truth(scored_scene *c, const stad_camera *camera, tool_fail *f)
+{
+    char names[256];
+    if (!c->fiducials)
+        return TOOL_OK;
+    snprintf(names, sizeof names, "%.120s, %.120s", c->left_path, c->right_path);
+    return truth_from_marks(&c->truth, &c->left, &c->right, &c->base, camera, names, f);
 }
 
 int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, tool_fail *f)

@@ -7,11 +7,13 @@
 #include "../common/params_text.h"
 #include "../common/truth_file.h"
 #include "measure.h"
+#include "stad/target.h"
 
 /* One pair: files, what was read of them, and a matcher. Strings are borrowed or owned by the set. */
 typedef struct scored_scene {
     const char *left_path, *right_path, *truth_path, *mask_path;
     double truth_scale;
+    int fiducials; /* 1: the truth is that of the target in the frames, found when the parameters are known */
     int min_disparity, num_disparities; /* INT_MAX and 0: not said for this scene */
     picture left, right;
     truth_map truth;
@@ -43,6 +45,9 @@ int scene_set_list(scene_set *s, const char *path, tool_fail *f);
 /* Reads all pictures and truths. */
 int scene_set_read(scene_set *s, int color, tool_fail *f);
 void scene_set_free(scene_set *s);
+
+/* The truth of a scene with fiducials; base is set. */
+int scene_find_truth(scored_scene *c, const stad_camera *camera, tool_fail *f);
 
 /* Matches and scores one scene. TOOL_OK with the cost (Q20, STAD_COST_FAILED: parameters that the domain refuses). */
 int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, tool_fail *f);

@@ -61,6 +61,14 @@ int tool_whole(const char *option, const char *text, long lo, long hi, long *val
     return TOOL_OK;
 }
 
+int tool_point(const char *option, const char *text, double *x, double *y, tool_fail *f)
+{
+    char end;
+    if (sscanf(text, "%lf,%lf%c", x, y, &end) == 2 && *x >= 0 && *y >= 0 && *x < 1e5 && *y < 1e5)
+        return TOOL_OK;
+    return tool_fail_set(f, TOOL_USAGE, "--%s %s: must be X,Y in pixels", option, text);
+}
+
 static int progress_shown;
 
 void progress_line(const char *format, ...)

@@ -34,6 +34,9 @@ int tool_words(int argc, int first, int count, const char *wanted, tool_fail *f)
 int tool_real(const char *option, const char *text, double lo, double hi, double *value, tool_fail *f);
 int tool_whole(const char *option, const char *text, long lo, long hi, long *value, tool_fail *f);
 
+/* "X,Y", neither negative. */
+int tool_point(const char *option, const char *text, double *x, double *y, tool_fail *f);
+
 /* A line that is rewritten on a terminal, and nothing at all elsewhere. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))

@@ -79,13 +79,27 @@ static int open_engine(const tune_job *j, scored_scene *c, const stad_tune_confi
     return engine_open(&c->engine, &g, f);
 }
 
+static stad_camera camera_of(const tune_job *j, const picture *left)
+{
+    double cx = j->cx >= 0 ? j->cx : (left->width - 1) / 2.0, cy = j->cy >= 0 ? j->cy : (left->height - 1) / 2.0;
+    stad_camera c = {(int32_t)(j->rig.focal_px * 256 + 0.5), (int32_t)(cx * 256 + 0.5), (int32_t)(cy * 256 + 0.5)};
+    return c;
+}
+
+static int take_base(const tune_job *j, scored_scene *c, tool_fail *f)
+{
+    stad_camera camera = camera_of(j, &c->left);
+    int status = base_of(j, c, f);
+    return status ? status : scene_find_truth(c, &camera, f);
+}
+
 static int prepare(tune_job *j, tool_fail *f)
 {
     stad_tune_config config;
     const char *culprit = NULL;
     int status = scene_set_read(&j->set, j->options.color, f);
     for (int i = 0; i < j->set.count && status == TOOL_OK; i++)
-        status = base_of(j, &j->set.scene[i], f);
+        status = take_base(j, &j->set.scene[i], f);
     if (status)
         return status;
     stad_point start = point_of(&j->set.scene[0].base);
