@@ -13,6 +13,7 @@ target_camera story_camera(int disturbed)
     c.f = 300;
     c.baseline = 56;
     c.psf = 0.7;
+    c.supersample = 2;
     if (disturbed) {
         c.drift_dy = 1.1;
         c.drift_roll = 0.45 * 3.14159265358979 / 180;
