@@ -5,21 +5,14 @@
  * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
  * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best of another block. */
 #include "tune/tune_ncg.h"
+#include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
 
-#define REACH_FIRST (3 * TUNE_ONE / 4)
-#define REACH_AGAIN (TUNE_ONE / 2)
-#define REACH_LEAST (TUNE_ONE / 8)
+#define REACH_FIRST  (3 * TUNE_ONE / 4)
+#define REACH_AGAIN  (TUNE_ONE / 2)
+#define REACH_LEAST  (TUNE_ONE / 8)
 #define REACH_FINEST (TUNE_ONE / 128)
-#define ITERATIONS  30
-
-#ifndef TUNE_POLLS /* 0: leave the discrete axes alone (a switch for the ablation) */
-#define TUNE_POLLS 1
-#endif
-
-#ifndef TUNE_FOLLOW /* 0: do not go on along an iteration's way (a switch for the ablation) */
-#define TUNE_FOLLOW 1
-#endif
+#define ITERATIONS   30
 
 /* The axes in the order that lets a matcher keep most of its work between probes. */
 static const uint8_t sweep_order[STAD_TUNE_DIMS] = {STAD_TUNE_PRE_FILTER_CAP,     STAD_TUNE_P1,
@@ -86,7 +79,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
             polled_at = w.cost;
         if (2 * w.step <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
             return 0;
-        if (!sweep_all(t, &w) || !stad_tune_joint_step(t, &w))
+        if (!sweep_all(t, &w) || (TUNE_JOINT && !stad_tune_joint_step(t, &w)))
             return 0;
         if (TUNE_FOLLOW && !stad_tune_follow(t, &w, &from))
             return 0;

@@ -2,6 +2,7 @@
  * slopes -> [STEP] -> points         tune/tune_step.c - a joint step along the scaled conjugate direction (PR+).
  *
  * Scaling by the curvature that the probes gave is what makes the step good; beta adds little (docs/TUNING.md). */
+#include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
 
 #include <string.h>
@@ -10,13 +11,6 @@
 #define MAX_MOVE  (3 * TUNE_ONE)
 #define MAX_TRIES 3
 #define MAX_FOLLOW 8
-
-#ifndef TUNE_BETA /* 0: leave conjugacy out, 1: PR+ (a switch for the ablation) */
-#define TUNE_BETA 1
-#endif
-#ifndef TUNE_SCALING /* 0: leave the curvature out (a switch for the ablation) */
-#define TUNE_SCALING 1
-#endif
 
 typedef struct direction {
     int32_t move[STAD_TUNE_DIMS]; /* steps, Q16 */
