@@ -63,7 +63,7 @@ expect 2 '--mode fast.*sgbm, hh, 3way or hh4' "${m[@]}" --mode fast
 expect 2 '--memory tiny.*fast or small' "${m[@]}" --memory tiny
 expect 2 'disparity and --num-disparities' eval disp.npy s/disp.pfm
 expect 2 '--threshold -1' "${e[@]}" --threshold -1
-expect 2 '--truth FILE or --scenes' tune s/left.png s/right.png
+expect 2 '--truth FILE, --fiducials or --scenes' tune s/left.png s/right.png
 expect 2 '--cost best' "${t[@]}" --cost best
 expect 2 '--method newton' "${t[@]}" --method newton
 expect 2 '--max-evals 0' "${t[@]}" --max-evals 0

@@ -60,7 +60,8 @@ int params_read_json(params_some *s, const char *path, tool_fail *f)
     if (!cJSON_IsObject(object))
         status = tool_fail_set(f, TOOL_FILE, "%s: not a JSON object of parameters", path);
     else
-        cJSON_ArrayForEach(item, object) {
+        cJSON_ArrayForEach(item, object)
+        {
             if (status == TOOL_OK)
                 status = take_field(s, item, path, f);
         }

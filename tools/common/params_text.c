@@ -14,18 +14,21 @@ typedef struct field_info {
 } field_info;
 
 static const field_info fields[FIELD_COUNT] = {
-    {"min_disparity", "min-disparity", "(min_disparity - 1) * 16 and (min_disparity + num_disparities) * 16 must fit 16 bits",
-     INT16_MIN, INT16_MAX},
+    {"min_disparity", "min-disparity",
+     "(min_disparity - 1) * 16 and (min_disparity + num_disparities) * 16 must fit 16 bits", INT16_MIN,
+     INT16_MAX},
     {"num_disparities", "num-disparities",
-     "a positive multiple of 16 (of 8 but in 3way) that leaves more matched columns than half a block", INT16_MIN, INT16_MAX},
-    {"block_size", "block-size", "odd, at least 1, and narrower than twice the matched columns", INT16_MIN, INT16_MAX},
+     "a positive multiple of 16 (of 8 but in 3way) that leaves more matched columns than half a block",
+     INT16_MIN, INT16_MAX},
+    {"block_size", "block-size", "odd, at least 1, and narrower than twice the matched columns", INT16_MIN,
+     INT16_MAX},
     {"p1", "p1", "1..32766", INT16_MIN, INT16_MAX},
     {"p2", "p2", "p1 + 1..32767", INT16_MIN, INT16_MAX},
     {"disp12_max_diff", "disp12-max-diff", "at least 1", INT16_MIN, INT16_MAX},
     {"pre_filter_cap", "pre-filter-cap", "odd, at least 15", INT16_MIN, INT16_MAX},
     {"uniqueness_ratio", "uniqueness-ratio", "0..99", INT16_MIN, INT16_MAX},
-    {"speckle_window_size", "speckle-window-size", "0 (off) or the largest component to remove, in pixels", INT32_MIN,
-     INT32_MAX},
+    {"speckle_window_size", "speckle-window-size", "0 (off) or the largest component to remove, in pixels",
+     INT32_MIN, INT32_MAX},
     {"speckle_range", "speckle-range", "0 or more pixels of disparity", INT32_MIN, INT32_MAX},
 };
 
@@ -51,9 +54,16 @@ int params_field_find(const char *name)
 
 long params_get(const stad_params *p, int field)
 {
-    const long v[FIELD_COUNT] = {p->min_disparity,    p->num_disparities,  p->block_size,          p->p1,           p->p2,
-                                 p->disp12_max_diff,  p->pre_filter_cap,   p->uniqueness_ratio,
-                                 p->speckle_window_size, p->speckle_range};
+    const long v[FIELD_COUNT] = {p->min_disparity,
+                                 p->num_disparities,
+                                 p->block_size,
+                                 p->p1,
+                                 p->p2,
+                                 p->disp12_max_diff,
+                                 p->pre_filter_cap,
+                                 p->uniqueness_ratio,
+                                 p->speckle_window_size,
+                                 p->speckle_range};
     return v[field];
 }
 
@@ -93,10 +103,11 @@ int params_some_set(params_some *s, int field, const char *text, tool_fail *f)
     const field_info *i = &fields[field];
     long v;
     if (!params_number(text, &v))
-        return tool_fail_set(f, TOOL_USAGE, "--%s %s: not a whole number (%s is %s)", i->option, text, i->name, i->domain);
+        return tool_fail_set(f, TOOL_USAGE, "--%s %s: not a whole number (%s is %s)", i->option, text,
+                             i->name, i->domain);
     if (!params_fits(field, v))
-        return tool_fail_set(f, TOOL_USAGE, "--%s %s: outside %ld..%ld (%s is %s)", i->option, text, i->least, i->most, i->name,
-                             i->domain);
+        return tool_fail_set(f, TOOL_USAGE, "--%s %s: outside %ld..%ld (%s is %s)", i->option, text, i->least,
+                             i->most, i->name, i->domain);
     s->value[field] = v;
     s->given |= 1u << field;
     return TOOL_OK;
@@ -114,7 +125,8 @@ void params_some_merge(params_some *under, const params_some *over)
 
 void params_from_some(stad_params *p, const params_some *s, int width, int channels)
 {
-    int num = s->given >> FIELD_NUM_DISPARITIES & 1 ? (int)s->value[FIELD_NUM_DISPARITIES] : (width / 8 + 15) / 16 * 16;
+    int num = s->given >> FIELD_NUM_DISPARITIES & 1 ? (int)s->value[FIELD_NUM_DISPARITIES]
+                                                    : (width / 8 + 15) / 16 * 16;
     int block = s->given >> FIELD_BLOCK_SIZE & 1 ? (int)s->value[FIELD_BLOCK_SIZE] : 3;
     stad_params_sample(p, num, block, channels);
     for (int i = 0; i < FIELD_COUNT; i++)
@@ -142,15 +154,15 @@ int params_check_text(const stad_params *p, int mode, int width, tool_fail *f)
         return TOOL_OK;
     int field = culprit ? params_field_find(culprit) : -1;
     if (field < 0)
-        return tool_fail_set(f, TOOL_USAGE, "%s is outside its domain for images %d pixels wide", culprit ? culprit : "a parameter",
-                             width);
+        return tool_fail_set(f, TOOL_USAGE, "%s is outside its domain for images %d pixels wide",
+                             culprit ? culprit : "a parameter", width);
     const field_info *i = &fields[field];
     stad_params n = *p;
     stad_params_normalize(&n, mode);
     long is = params_get(p, field), becomes = params_get(&n, field);
     if (is != becomes)
-        return tool_fail_set(f, TOOL_USAGE, "%s %ld (--%s): must be %s; OpenCV would silently make it %ld", i->name, is,
-                             i->option, i->domain, becomes);
-    return tool_fail_set(f, TOOL_USAGE, "%s %ld (--%s): must be %s; the images are %d pixels wide", i->name, is, i->option,
-                         i->domain, width);
+        return tool_fail_set(f, TOOL_USAGE, "%s %ld (--%s): must be %s; OpenCV would silently make it %ld",
+                             i->name, is, i->option, i->domain, becomes);
+    return tool_fail_set(f, TOOL_USAGE, "%s %ld (--%s): must be %s; the images are %d pixels wide", i->name,
+                         is, i->option, i->domain, width);
 }

@@ -27,11 +27,11 @@ enum params_field {
     FIELD_COUNT
 };
 
-const char *params_field_name(int field);            /* "block_size" */
-const char *params_field_option(int field);          /* "block-size" */
-int params_field_find(const char *name);             /* by name or option; -1: none such */
+const char *params_field_name(int field);   /* "block_size" */
+const char *params_field_option(int field); /* "block-size" */
+int params_field_find(const char *name);    /* by name or option; -1: none such */
 long params_get(const stad_params *p, int field);
-int params_fits(int field, long value);              /* does the field's type hold it? */
+int params_fits(int field, long value);                 /* does the field's type hold it? */
 void params_set(stad_params *p, int field, long value); /* `value` fits */
 
 /* Some of the fields, and which. */

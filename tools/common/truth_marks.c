@@ -25,7 +25,8 @@ static int find_pairs(seen *s, const picture *left, const picture *right, const 
     size_t bytes = stad_mark_bytes(left->width, left->height);
     void *work = NULL;
     if (bytes == 0)
-        return tool_fail_set(f, TOOL_FILE, "%s: %d x %d is no size to look for marks in", names, left->width, left->height);
+        return tool_fail_set(f, TOOL_FILE, "%s: %d x %d is no size to look for marks in", names, left->width,
+                             left->height);
     if (posix_memalign(&work, STAD_ALIGN, bytes))
         return tool_fail_set(f, TOOL_FILE, "%s: not enough memory to look for marks", names);
     int nl = stad_mark_find(&l, NULL, s->left, MARKS_MAX, work, bytes);
@@ -33,8 +34,9 @@ static int find_pairs(seen *s, const picture *left, const picture *right, const 
     free(work);
     s->count = nl < 0 || nr < 0 ? 0 : stad_mark_pair(s->left, nl, s->right, nr, s->pairs, MARKS_MAX);
     if (s->count < 2)
-        return tool_fail_set(f, TOOL_FILE, "%s: %d marks on the left, %d on the right, %d on both; at least 2 are needed", names,
-                             nl, nr, s->count);
+        return tool_fail_set(f, TOOL_FILE,
+                             "%s: %d marks on the left, %d on the right, %d on both; at least 2 are needed",
+                             names, nl, nr, s->count);
     return TOOL_OK;
 }
 
@@ -45,8 +47,11 @@ static int check_rig(const seen *s, const picture *left, const char *names, tool
     int verdict = stad_rig_fit(&rig, &report, s->pairs, s->count, left->width, left->height);
     if (verdict == STAD_RIG_GOOD || verdict == STAD_RIG_WATCH)
         return TOOL_OK;
-    return tool_fail_set(f, TOOL_REFUSED, "%s: the rows of the two views differ by up to %.2f px, and by %.2f px from a small correction: "
-                         "rectify first, no parameters make up for that", names, report.worst_q8 / 256.0, report.rms_after_q8 / 256.0);
+    return tool_fail_set(
+        f, TOOL_REFUSED,
+        "%s: the rows of the two views differ by up to %.2f px, and by %.2f px from a small correction: "
+        "rectify first, no parameters make up for that",
+        names, report.worst_q8 / 256.0, report.rms_after_q8 / 256.0);
 }
 
 static int fill(truth_map *t, const stad_truth *truth, const char *names, tool_fail *f)
@@ -63,8 +68,8 @@ static int fill(truth_map *t, const stad_truth *truth, const char *names, tool_f
     return TOOL_OK;
 }
 
-int truth_from_marks(truth_map *t, const picture *left, const picture *right, const stad_params *p, const stad_camera *camera,
-                     const char *names, tool_fail *f)
+int truth_from_marks(truth_map *t, const picture *left, const picture *right, const stad_params *p,
+                     const stad_camera *camera, const char *names, tool_fail *f)
 {
     seen s;
     stad_truth truth;
@@ -80,7 +85,8 @@ int truth_from_marks(truth_map *t, const picture *left, const picture *right, co
     if (code == STAD_OK)
         code = stad_truth_from_target(&truth, stad_target_relief(), s.pairs, s.count, camera);
     if (code < 0)
-        return tool_fail_set(f, TOOL_FILE, "%s: the marks found are not those of a flat target with its relief (%s)", names,
+        return tool_fail_set(f, TOOL_FILE,
+                             "%s: the marks found are not those of a flat target with its relief (%s)", names,
                              stad_status_name(code));
     return fill(t, &truth, names, f);
 }

@@ -28,7 +28,8 @@ static int grow(unsigned char **bytes, size_t *room, size_t max)
     return 1;
 }
 
-static int read_stream(FILE *in, const char *path, size_t max, unsigned char **bytes, size_t *size, tool_fail *f)
+static int read_stream(FILE *in, const char *path, size_t max, unsigned char **bytes, size_t *size,
+                       tool_fail *f)
 {
     size_t room = 0, n = 0;
     for (;;) {
@@ -37,7 +38,8 @@ static int read_stream(FILE *in, const char *path, size_t max, unsigned char **b
         size_t got = fread(*bytes + n, 1, room - 1 - n, in);
         n += got;
         if (n > max)
-            return tool_fail_set(f, TOOL_FILE, "%s: larger than the %zu bytes such a file may have", path, max);
+            return tool_fail_set(f, TOOL_FILE, "%s: larger than the %zu bytes such a file may have", path,
+                                 max);
         if (got == 0)
             break;
     }
@@ -184,7 +186,8 @@ int tool_out_close(tool_out *o, int ok, tool_fail *f)
     int bad = ferror(o->stream);
     bad |= fclose(o->stream) != 0;
     if (ok && bad)
-        status = tool_fail_set(f, TOOL_FILE, "%s: cannot be written: %s", o->final, strerror(errno ? errno : EIO));
+        status =
+            tool_fail_set(f, TOOL_FILE, "%s: cannot be written: %s", o->final, strerror(errno ? errno : EIO));
     if (o->beside && status == TOOL_OK && rename(o->beside, o->final))
         status = tool_fail_set(f, TOOL_FILE, "%s: cannot be written: %s", o->final, strerror(errno));
     if (o->beside && status)

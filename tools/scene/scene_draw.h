@@ -26,9 +26,9 @@ typedef int scene_paint(const void *what, int32_t u_q8, int32_t v_q8);
 /* The paint of scene_random: noise of several grain sizes, so that every block of pixels looks different. */
 typedef struct scene_noise {
     uint32_t seed;
-    int grey, contrast; /* mean, and largest deviation from it */
+    int grey, contrast;   /* mean, and largest deviation from it */
     int finest, coarsest; /* grain, log2 of px: 1 = 2 px */
-    int stripes;        /* 0, or a period in px: the paint repeats, as a fence does */
+    int stripes;          /* 0, or a period in px: the paint repeats, as a fence does */
 } scene_noise;
 int scene_paint_noise(const void *noise, int32_t u_q8, int32_t v_q8);
 
@@ -54,11 +54,13 @@ typedef struct scene {
 
 /* A slanted background and `plates` plates in front of it, disparities within min_disparity .. min_disparity + num_disparities - 2, paints
  * rich and poor. 1 <= plates < SCENE_SURFACES. The scene points into itself: do not copy it. */
-void scene_random(scene *s, int width, int height, int min_disparity, int num_disparities, int plates, uint32_t seed);
+void scene_random(scene *s, int width, int height, int min_disparity, int num_disparities, int plates,
+                  uint32_t seed);
 
 /* Grey pictures, truth (px * 65536, of every left pixel) and visibility (255: the right camera sees it too; 0: hidden by a
  * surface in front, or outside the right image). All four are allocated here; *truth_q16 is for free(). */
-int scene_render(const scene *s, picture *left, picture *right, int32_t **truth_q16, picture *visible, tool_fail *f);
+int scene_render(const scene *s, picture *left, picture *right, int32_t **truth_q16, picture *visible,
+                 tool_fail *f);
 
 #ifdef __cplusplus
 }

@@ -17,8 +17,8 @@ static const char help[] =
     "Without --mode all four are timed.\n\n"
     "  --width W, --height H        (640, 480)\n"
     "  --frames N                   (9)\n"
-    "  --isa c|sse41|avx2|avx512    at most this tier of kernels on x86 (what the CPU has)\n" MATCH_OPTIONS_HELP
-    "\nExample: stad bench --num-disparities 128 --mode sgbm\n";
+    "  --isa c|sse41|avx2|avx512    at most this tier of kernels on x86 (what the CPU "
+    "has)\n" MATCH_OPTIONS_HELP "\nExample: stad bench --num-disparities 128 --mode sgbm\n";
 
 typedef struct bench_job {
     match_options options;
@@ -86,11 +86,13 @@ static double cpu_seconds(void)
 }
 
 /* Median seconds of a frame, the first one (which touches the memory) left out. */
-static int time_frames(engine *e, const bench_job *j, const stad_params *p, const picture *pair, double *median, tool_fail *f)
+static int time_frames(engine *e, const bench_job *j, const stad_params *p, const picture *pair,
+                       double *median, tool_fail *f)
 {
     disparity d = {0};
     double *seconds = calloc((size_t)j->frames, sizeof *seconds);
-    int status = seconds ? engine_run(e, p, &pair[0], &pair[1], &d, NULL, f) : tool_fail_set(f, TOOL_FILE, "not enough memory");
+    int status = seconds ? engine_run(e, p, &pair[0], &pair[1], &d, NULL, f)
+                         : tool_fail_set(f, TOOL_FILE, "not enough memory");
     for (long i = 0; i < j->frames && status == TOOL_OK; i++) {
         double start = cpu_seconds();
         status = engine_run(e, p, &pair[0], &pair[1], &d, NULL, f);
@@ -122,7 +124,8 @@ static int bench_mode(const bench_job *j, int mode, const picture *pair, tool_fa
     status = time_frames(&e, j, &p, pair, &median, f);
     double columns = pair->width - (p.min_disparity + p.num_disparities);
     if (status == TOOL_OK)
-        printf("%-5s %dx%d, %d disparities, block %d, %s: %8.3f ms, %6.3f ns per pixel and disparity, %zu bytes\n",
+        printf("%-5s %dx%d, %d disparities, block %d, %s: %8.3f ms, %6.3f ns per pixel and disparity, %zu "
+               "bytes\n",
                params_mode_name(mode), pair->width, pair->height, p.num_disparities, p.block_size,
                options.memory == STAD_MEMORY_FAST ? "fast" : "small", 1e3 * median,
                1e9 * median / (columns * pair->height * p.num_disparities), e.work_bytes);

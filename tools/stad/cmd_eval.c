@@ -12,11 +12,13 @@
 
 static const char help[] =
     "usage: stad eval DISP TRUTH --min-disparity N --num-disparities N [options]\n\n"
-    "How far a disparity map is from the truth. Scored are pixels whose truth is known, from column min + num disparities on.\n"
+    "How far a disparity map is from the truth. Scored are pixels whose truth is known, from column min + "
+    "num disparities on.\n"
     "DISP: .npy (int16, * 16, or float), .pfm, .png (16 bits, * 256). TRUTH: the same, .npz,\n"
     "or 8 bits with --truth-scale.\n\n"
     "  --min-disparity N, --num-disparities N   as matched\n"
-    "  --mask FILE          which pixels both cameras see: 0 and 128 = hidden, else visible (without: found from the truth)\n"
+    "  --mask FILE          which pixels both cameras see: 0 and 128 = hidden, else visible (without: found "
+    "from the truth)\n"
     "  --truth-scale S      steps per pixel of a truth that is a .png or .pgm (256 for 16 bits)\n"
     "  --threshold PX       error above which a pixel is wrong, for chow (1)\n"
     "  --json               one JSON object on the standard output; fractions, px for rmse and mae\n"
@@ -38,7 +40,17 @@ typedef struct eval_job {
     report_rig rig;
 } eval_job;
 
-enum { OPT_MIN = 'm', OPT_NUM = 'n', OPT_MASK = 'k', OPT_SCALE = 's', OPT_THRESHOLD = 't', OPT_JSON = 'j', OPT_REPORT = 'r', OPT_FOCAL = 'f', OPT_BASELINE = 'b' };
+enum {
+    OPT_MIN = 'm',
+    OPT_NUM = 'n',
+    OPT_MASK = 'k',
+    OPT_SCALE = 's',
+    OPT_THRESHOLD = 't',
+    OPT_JSON = 'j',
+    OPT_REPORT = 'r',
+    OPT_FOCAL = 'f',
+    OPT_BASELINE = 'b'
+};
 
 static const struct option longs[] = {{"min-disparity", required_argument, NULL, OPT_MIN},
                                       {"num-disparities", required_argument, NULL, OPT_NUM},
@@ -144,7 +156,8 @@ static void print_table(const measures *m)
 {
     printf("%-14s %9s %11s\n", "", "visible", "estimated");
     for (int i = 0; i < MEASURE_THRESHOLDS; i++)
-        printf("bad %3.1f px     %8.3f %% %9.3f %%\n", measure_threshold[i], 100 * m->bad[i], 100 * m->bad_estimated[i]);
+        printf("bad %3.1f px     %8.3f %% %9.3f %%\n", measure_threshold[i], 100 * m->bad[i],
+               100 * m->bad_estimated[i]);
     printf("D1             %8.3f %% %9.3f %%\n", 100 * m->d1, 100 * m->d1_estimated);
     printf("chow           %8.3f %%   (above %g px)\n", 100 * m->chow, m->threshold);
     printf("density        %8.3f %%\n", 100 * m->density);
@@ -159,7 +172,8 @@ static int work(const eval_job *j, tool_fail *f)
     truth_map t = {0};
     measures m;
     if (j->min_disparity == INT16_MAX || j->num_disparities == 0)
-        return tool_fail_set(f, TOOL_USAGE, "--min-disparity and --num-disparities are wanted: the range that was matched");
+        return tool_fail_set(f, TOOL_USAGE,
+                             "--min-disparity and --num-disparities are wanted: the range that was matched");
     int status = disparity_read(&d, j->disp, (int)j->min_disparity, f);
     if (status == TOOL_OK)
         status = truth_read(&t, j->truth, j->scale, (int)j->min_disparity, f);

@@ -11,18 +11,30 @@
 
 static const char help[] =
     "usage: stad plan --width W --height H --num-disparities D [options]\n\n"
-    "Bytes of the matcher's workspace by part, for every mode and memory plan. The speckle filter's labels are extra, needed\n"
+    "Bytes of the matcher's workspace by part, for every mode and memory plan. The speckle filter's labels "
+    "are extra, needed\n"
     "only where it is on.\n\n"
     "  --width W, --height H        of the frames, px\n"
     "  --num-disparities D          the largest that will be used\n"
     "  --block-size B               the largest that will be used (3)\n"
     "  --channels C                 1 or 3 (1)\n"
-    "  --max-p2 N                   the largest p2; up to 255 the small plan stores paths in bytes (32 C B^2)\n"
+    "  --max-p2 N                   the largest p2; up to 255 the small plan stores paths in bytes (32 C "
+    "B^2)\n"
     "  --max-pre-filter-cap N       the largest cap (63)\n"
-    "  --json                       one JSON object: {\"sgbm\": {\"fast\": {\"total\": N, \"parts\": ...}, \"small\": ...}, ...}\n\n"
+    "  --json                       one JSON object: {\"sgbm\": {\"fast\": {\"total\": N, \"parts\": ...}, "
+    "\"small\": ...}, ...}\n\n"
     "Example: stad plan --width 320 --height 240 --num-disparities 64 --block-size 5\n";
 
-enum plan_field { PLAN_WIDTH, PLAN_HEIGHT, PLAN_NUM, PLAN_BLOCK, PLAN_CHANNELS, PLAN_P2, PLAN_CAP, PLAN_FIELDS };
+enum plan_field {
+    PLAN_WIDTH,
+    PLAN_HEIGHT,
+    PLAN_NUM,
+    PLAN_BLOCK,
+    PLAN_CHANNELS,
+    PLAN_P2,
+    PLAN_CAP,
+    PLAN_FIELDS
+};
 
 static const char *const names[PLAN_FIELDS] = {"width",    "height", "num-disparities",   "block-size",
                                                "channels", "max-p2", "max-pre-filter-cap"};
@@ -76,8 +88,8 @@ static int geometry_of(const plan_job *j, int mode, int memory, stad_geometry *g
                          .memory = (uint8_t)memory};
     if (stad_geometry_check(g, &culprit) == STAD_OK)
         return TOOL_OK;
-    return tool_fail_set(f, TOOL_USAGE, "%s is outside what a matcher can be built for (mode %s)", culprit ? culprit : "the geometry",
-                         params_mode_name(mode));
+    return tool_fail_set(f, TOOL_USAGE, "%s is outside what a matcher can be built for (mode %s)",
+                         culprit ? culprit : "the geometry", params_mode_name(mode));
 }
 
 static cJSON *plan_json(const stad_geometry *g)
@@ -97,7 +109,8 @@ static void print_plan(const stad_geometry *g)
 {
     const char *name;
     size_t bytes;
-    printf("%s, %s: %zu bytes\n", params_mode_name(g->mode), g->memory == STAD_MEMORY_FAST ? "fast" : "small", stad_match_bytes(g));
+    printf("%s, %s: %zu bytes\n", params_mode_name(g->mode), g->memory == STAD_MEMORY_FAST ? "fast" : "small",
+           stad_match_bytes(g));
     for (int i = 0; (bytes = stad_match_part(g, i, &name)), name != NULL; i++)
         if (bytes)
             printf("    %10zu  %s\n", bytes, name);

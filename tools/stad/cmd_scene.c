@@ -15,8 +15,10 @@
 
 static const char help[] =
     "usage: stad scene -o FOLDER [options]\n\n"
-    "Draws a pair of slanted planes with plates in front of them: left.png, right.png, disp.pfm (exact disparity of every left\n"
-    "pixel) and nonocc.png (255 = the right camera sees it too). The same options give the same bytes everywhere.\n\n"
+    "Draws a pair of slanted planes with plates in front of them: left.png, right.png, disp.pfm (exact "
+    "disparity of every left\n"
+    "pixel) and nonocc.png (255 = the right camera sees it too). The same options give the same bytes "
+    "everywhere.\n\n"
     "  -o, --output FOLDER          made when it is missing\n"
     "  --width W, --height H        px (640, 480)\n"
     "  --min-disparity N            (0)\n"
@@ -25,10 +27,12 @@ static const char help[] =
     "  --seed S                     another scene (1)\n"
     "  --noise N                    largest deviation of a pixel by camera noise, grey levels (6)\n"
     "  --gain PERCENT               the right camera's, against the left (100)\n\n"
-    "  --target                     a recording instead: a room in which the calibration target is held up, NNN_left.png, ...\n"
+    "  --target                     a recording instead: a room in which the calibration target is held up, "
+    "NNN_left.png, ...\n"
     "  --frames N                   of it (16)\n"
     "  --drift PX                   by which the right camera has sunk (0), --from K: from frame K on (0)\n\n"
-    "Example: stad scene -o scene && stad match scene/left.png scene/right.png -o disp.pfm --num-disparities 64\n";
+    "Example: stad scene -o scene && stad match scene/left.png scene/right.png -o disp.pfm --num-disparities "
+    "64\n";
 
 typedef struct scene_job {
     const char *folder;
@@ -131,8 +135,9 @@ static int write_truth(const int32_t *q16, int width, int height, const char *fo
 
 static int record_target(const scene_job *j, tool_fail *f)
 {
-    const scene_frames s = {j->folder, (int)j->width, (int)j->height, (int)j->num_disparities, (int)j->frames, (unsigned)j->seed,
-                            (double)j->noise, j->drift, (int)j->from};
+    const scene_frames s = {j->folder,      (int)j->width,     (int)j->height,   (int)j->num_disparities,
+                            (int)j->frames, (unsigned)j->seed, (double)j->noise, j->drift,
+                            (int)j->from};
     if (j->min_disparity != 0 || j->gain != 100)
         return tool_fail_set(f, TOOL_USAGE, "--min-disparity and --gain do not go with --target");
     return scene_frames_write(&s, f);
@@ -143,8 +148,8 @@ static int draw_plates(const scene_job *j, tool_fail *f)
     static scene s; /* some KiB, and it points into itself */
     picture left, right, visible;
     int32_t *truth;
-    scene_random(&s, (int)j->width, (int)j->height, (int)j->min_disparity, (int)j->num_disparities, (int)j->plates,
-                 (uint32_t)j->seed);
+    scene_random(&s, (int)j->width, (int)j->height, (int)j->min_disparity, (int)j->num_disparities,
+                 (int)j->plates, (uint32_t)j->seed);
     s.camera_noise = (int)j->noise;
     s.right_gain_q8 = (int)(j->gain * 256 / 100);
     int status = scene_render(&s, &left, &right, &truth, &visible, f);

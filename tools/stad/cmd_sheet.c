@@ -7,15 +7,17 @@
 #include "../sheet/sheet.h"
 #include "tool.h"
 
-static const char help[] =
-    "usage: stad sheet -o FILE.pdf|FILE.svg [options]\n\n"
-    "Writes the calibration target in true scale: the base with its marks and a ruler to check the print by, the raised parts as\n"
-    "nets to cut (solid lines), fold (dashed) and glue, and a page on how to build and mount it. SVG: one file a page, FILE-1.svg\n"
-    "and on. The same options give the same bytes everywhere.\n\n"
-    "  -o, --output FILE            .pdf or .svg\n"
-    "  --paper a4|letter            (a4), lying\n"
-    "  --target relief|card         the relief to tune on, or the flat card to hold in front of it (relief)\n\n"
-    "Example: stad sheet -o target.pdf --paper letter\n";
+static const char help[] = "usage: stad sheet -o FILE.pdf|FILE.svg [options]\n\n"
+                           "Writes the calibration target in true scale: the base with its marks and a ruler "
+                           "to check the print by, the raised parts as\n"
+                           "nets to cut (solid lines), fold (dashed) and glue, and a page on how to build "
+                           "and mount it. SVG: one file a page, FILE-1.svg\n"
+                           "and on. The same options give the same bytes everywhere.\n\n"
+                           "  -o, --output FILE            .pdf or .svg\n"
+                           "  --paper a4|letter            (a4), lying\n"
+                           "  --target relief|card         the relief to tune on, or the flat card to hold "
+                           "in front of it (relief)\n\n"
+                           "Example: stad sheet -o target.pdf --paper letter\n";
 
 static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"paper", required_argument, NULL, 'p'},

@@ -11,17 +11,22 @@
 
 static const char help[] =
     "usage: stad simulate FOLDER [options]\n\n"
-    "Replays recorded, rectified frames through the matcher, monitor, calibration and parameter store of the firmware.\n"
-    "FOLDER: pairs of names that differ in left/right, _0/_1 or _L/_R; KITTI's image_0, image_1 and the like; EuRoC's cam0/data,\n"
+    "Replays recorded, rectified frames through the matcher, monitor, calibration and parameter store of the "
+    "firmware.\n"
+    "FOLDER: pairs of names that differ in left/right, _0/_1 or _L/_R; KITTI's image_0, image_1 and the "
+    "like; EuRoC's cam0/data,\n"
     "cam1/data; folders left and right.\n\n"
     "  --side-by-side               pictures that hold both views\n"
     "  --size WxH                   FOLDER is a file of 8-bit frames, left and right in turns\n"
     "  --frames N                   at most the first N\n"
-    "  --keep-going                 report and skip frames that cannot be read (else: stop, what was done is written)\n"
+    "  --keep-going                 report and skip frames that cannot be read (else: stop, what was done is "
+    "written)\n"
     "  --csv FILE, --json FILE      every frame; alarms, runs, the setup in use and stored\n"
     "  --report FILE.html           the same to look at\n"
-    "  --focal PX                   of both cameras; without it marks are not looked for, only the monitor runs\n"
-    "  --center X,Y                 principal point (the middle); --baseline METRES for distances in the report\n"
+    "  --focal PX                   of both cameras; without it marks are not looked for, only the monitor "
+    "runs\n"
+    "  --center X,Y                 principal point (the middle); --baseline METRES for distances in the "
+    "report\n"
     "  --calibrate-at K             begin a run at frame K, whatever the monitor says\n"
     "  --evaluations N              matches for the calibration between two frames (4)\n"
     "  --learn-frames N             from which the monitor learns what is usual (30)\n"
@@ -30,7 +35,8 @@ static const char help[] =
     "  --cost bad|chow              (bad)\n"
     "  --noise SD, --gain PERCENT, --blur SD, --vignette PERCENT, --dim PERCENT   spoil the frames\n"
     "  --from K                     ... from frame K on (0)\n" MATCH_OPTIONS_HELP
-    "\nExample: stad simulate recording --num-disparities 64 --focal 436.2 --baseline 0.11 --noise 15 --from 40 --report r.html\n";
+    "\nExample: stad simulate recording --num-disparities 64 --focal 436.2 --baseline 0.11 --noise 15 --from "
+    "40 --report r.html\n";
 
 enum {
     OPT_SIDE = 1,
@@ -86,10 +92,11 @@ static const struct option longs[] = {MATCH_OPTIONS,
 static int take_size(simulation *s, const char *text, tool_fail *f)
 {
     char end;
-    if (sscanf(text, "%5dx%5d%c", &s->raw_width, &s->raw_height, &end) == 2 && s->raw_width >= 16 && s->raw_height >= 16 &&
-        s->raw_width <= PICTURE_SIDE_MAX && s->raw_height <= PICTURE_SIDE_MAX)
+    if (sscanf(text, "%5dx%5d%c", &s->raw_width, &s->raw_height, &end) == 2 && s->raw_width >= 16 &&
+        s->raw_height >= 16 && s->raw_width <= PICTURE_SIDE_MAX && s->raw_height <= PICTURE_SIDE_MAX)
         return TOOL_OK;
-    return tool_fail_set(f, TOOL_USAGE, "--size %s: must be WIDTHxHEIGHT, each in 16..%d", text, PICTURE_SIDE_MAX);
+    return tool_fail_set(f, TOOL_USAGE, "--size %s: must be WIDTHxHEIGHT, each in 16..%d", text,
+                         PICTURE_SIDE_MAX);
 }
 
 static int take_cost(simulation *s, const char *name, tool_fail *f)

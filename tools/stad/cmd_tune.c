@@ -14,17 +14,22 @@ static const char help[] =
     "usage: stad tune LEFT RIGHT --truth FILE [options]\n"
     "       stad tune LEFT RIGHT --fiducials --focal PX [options]\n"
     "       stad tune --scenes LIST.json [options]\n\n"
-    "Searches the matcher's parameters for the least cost, by nonlinear conjugate gradient on the lattice of whole numbers.\n\n"
+    "Searches the matcher's parameters for the least cost, by nonlinear conjugate gradient on the lattice of "
+    "whole numbers.\n\n"
     "  --truth FILE, --mask FILE, --truth-scale S   as for `stad eval`\n"
-    "  --scenes LIST.json   [{\"left\": FILE, \"right\": FILE, \"truth\": FILE, \"mask\": FILE, \"truth_scale\": S,\n"
-    "                       \"min_disparity\": N, \"num_disparities\": N}, ...], the last four as needed; the mean cost counts\n"
+    "  --scenes LIST.json   [{\"left\": FILE, \"right\": FILE, \"truth\": FILE, \"mask\": FILE, "
+    "\"truth_scale\": S,\n"
+    "                       \"min_disparity\": N, \"num_disparities\": N}, ...], the last four as needed; "
+    "the mean cost counts\n"
     "  --fiducials          the frames show the target of `stad sheet`: its planes are the truth\n"
     "  --method ncg|ncg-paper|sd|hybrid             (ncg)\n"
     "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
     "  --threshold PX       error above which a pixel is wrong (1)\n"
     "  --max-evals N        distinct evaluations at most, 1..200 (100)\n"
-    "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), values laid over\n"
-    "  --free NAME,...      what may vary (p1,p2,block_size,uniqueness_ratio,pre_filter_cap,disp12_max_diff)\n"
+    "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), "
+    "values laid over\n"
+    "  --free NAME,...      what may vary "
+    "(p1,p2,block_size,uniqueness_ratio,pre_filter_cap,disp12_max_diff)\n"
     "  --json OUT           start, best and the trace of costs\n"
     "  --header OUT.h       the best parameters as C\n"
     "  --report OUT.html    before and after, to look at: one file\n"
@@ -99,7 +104,8 @@ static int take_start(tune_job *j, char *part, tool_fail *f)
         *equals = 0;
     int field = params_field_find(part);
     if (!equals || field < 0)
-        return tool_fail_set(f, TOOL_USAGE, "--start %s: must be default, sample, or NAME=VALUE of a parameter", part);
+        return tool_fail_set(f, TOOL_USAGE,
+                             "--start %s: must be default, sample, or NAME=VALUE of a parameter", part);
     return params_some_set(&j->start, field, equals + 1, f);
 }
 
@@ -111,8 +117,9 @@ static int take_free(tune_job *j, char *part, tool_fail *f)
             j->free_mask |= 1u << i;
             return TOOL_OK;
         }
-    return tool_fail_set(f, TOOL_USAGE,
-                         "--free %s: can be p1, p2, block_size, uniqueness_ratio, pre_filter_cap, disp12_max_diff", part);
+    return tool_fail_set(
+        f, TOOL_USAGE,
+        "--free %s: can be p1, p2, block_size, uniqueness_ratio, pre_filter_cap, disp12_max_diff", part);
 }
 
 static int take_name(const char *option, int *to, int found, tool_fail *f)
@@ -178,9 +185,11 @@ static int take_words(tune_job *j, int argc, char **argv, tool_fail *f)
         return TOOL_OK;
     const scored_scene *one = &j->set.scene[0];
     if (!one->truth_path && !one->fiducials)
-        return tool_fail_set(f, TOOL_USAGE, "--truth FILE, --fiducials or --scenes LIST.json is wanted: what to tune on");
+        return tool_fail_set(f, TOOL_USAGE,
+                             "--truth FILE, --fiducials or --scenes LIST.json is wanted: what to tune on");
     if (one->fiducials && (one->truth_path || one->mask_path || j->rig.focal_px <= 0))
-        return tool_fail_set(f, TOOL_USAGE, "--fiducials goes with --focal PX, and without --truth and --mask");
+        return tool_fail_set(f, TOOL_USAGE,
+                             "--fiducials goes with --focal PX, and without --truth and --mask");
     j->set.scene[0].left_path = argv[optind];
     j->set.scene[0].right_path = argv[optind + 1];
     return TOOL_OK;

@@ -31,7 +31,8 @@ static int usage(FILE *to)
     for (size_t i = 0; i < COMMANDS; i++)
         fprintf(to, "  %-8s %s\n", commands[i].name, commands[i].what);
     fprintf(to, "\n`stad COMMAND --help` tells more; `stad --version` which version this is.\n"
-                "Exit status: 0 done; 1 a comparison failed; 2 bad usage or parameter; 3 a file cannot be read or written.\n");
+                "Exit status: 0 done; 1 a comparison failed; 2 bad usage or parameter; 3 a file cannot be "
+                "read or written.\n");
     return to == stdout ? TOOL_OK : TOOL_USAGE;
 }
 

@@ -6,36 +6,48 @@
 #include "../common/params_text.h"
 #include "stad/match.h"
 
-enum match_option_code { OPT_FIELD = 0x100, OPT_MODE = OPT_FIELD + FIELD_COUNT, OPT_PARAMS, OPT_MEMORY, OPT_COLOR, OPT_GRAY };
+enum match_option_code {
+    OPT_FIELD = 0x100,
+    OPT_MODE = OPT_FIELD + FIELD_COUNT,
+    OPT_PARAMS,
+    OPT_MEMORY,
+    OPT_COLOR,
+    OPT_GRAY
+};
 
 /* For a table of getopt_long. */
-#define MATCH_OPTIONS                                                                                                   \
-    {"min-disparity", required_argument, NULL, OPT_FIELD + FIELD_MIN_DISPARITY},                                        \
-        {"num-disparities", required_argument, NULL, OPT_FIELD + FIELD_NUM_DISPARITIES},                                \
-        {"block-size", required_argument, NULL, OPT_FIELD + FIELD_BLOCK_SIZE},                                          \
-        {"p1", required_argument, NULL, OPT_FIELD + FIELD_P1}, {"p2", required_argument, NULL, OPT_FIELD + FIELD_P2},   \
-        {"disp12-max-diff", required_argument, NULL, OPT_FIELD + FIELD_DISP12_MAX_DIFF},                                \
-        {"pre-filter-cap", required_argument, NULL, OPT_FIELD + FIELD_PRE_FILTER_CAP},                                  \
-        {"uniqueness-ratio", required_argument, NULL, OPT_FIELD + FIELD_UNIQUENESS_RATIO},                              \
-        {"speckle-window-size", required_argument, NULL, OPT_FIELD + FIELD_SPECKLE_WINDOW_SIZE},                        \
-        {"speckle-range", required_argument, NULL, OPT_FIELD + FIELD_SPECKLE_RANGE},                                    \
-        {"mode", required_argument, NULL, OPT_MODE}, {"params", required_argument, NULL, OPT_PARAMS},                   \
-        {"memory", required_argument, NULL, OPT_MEMORY}, {"color", no_argument, NULL, OPT_COLOR},                       \
-        {"gray", no_argument, NULL, OPT_GRAY}
+/* clang-format off */
+#define MATCH_OPTIONS                                                                   \
+    {"min-disparity", required_argument, NULL, OPT_FIELD + FIELD_MIN_DISPARITY},         \
+    {"num-disparities", required_argument, NULL, OPT_FIELD + FIELD_NUM_DISPARITIES},     \
+    {"block-size", required_argument, NULL, OPT_FIELD + FIELD_BLOCK_SIZE},               \
+    {"p1", required_argument, NULL, OPT_FIELD + FIELD_P1},                               \
+    {"p2", required_argument, NULL, OPT_FIELD + FIELD_P2},                               \
+    {"disp12-max-diff", required_argument, NULL, OPT_FIELD + FIELD_DISP12_MAX_DIFF},     \
+    {"pre-filter-cap", required_argument, NULL, OPT_FIELD + FIELD_PRE_FILTER_CAP},       \
+    {"uniqueness-ratio", required_argument, NULL, OPT_FIELD + FIELD_UNIQUENESS_RATIO},   \
+    {"speckle-window-size", required_argument, NULL, OPT_FIELD + FIELD_SPECKLE_WINDOW_SIZE}, \
+    {"speckle-range", required_argument, NULL, OPT_FIELD + FIELD_SPECKLE_RANGE},         \
+    {"mode", required_argument, NULL, OPT_MODE},                                         \
+    {"params", required_argument, NULL, OPT_PARAMS},                                     \
+    {"memory", required_argument, NULL, OPT_MEMORY},                                     \
+    {"color", no_argument, NULL, OPT_COLOR},                                             \
+    {"gray", no_argument, NULL, OPT_GRAY}
+/* clang-format on */
 
 /* The same for a help text. */
-#define MATCH_OPTIONS_HELP                                                                                              \
-    "  --mode sgbm|hh|3way|hh4      as cv::StereoSGBM's modes (sgbm)\n"                                                 \
-    "  --min-disparity N            smallest disparity searched, px (0)\n"                                              \
-    "  --num-disparities N          how many, a multiple of 16 (an eighth of the width)\n"                              \
-    "  --block-size N               side of the matching block, odd (3)\n"                                              \
-    "  --p1 N, --p2 N               costs of small and large disparity steps (8 c b^2, 32 c b^2)\n"                     \
-    "  --disp12-max-diff N          largest left-right difference, px (1)\n"                                            \
-    "  --pre-filter-cap N           clip of the prefilter, odd, at least 15 (63)\n"                                     \
-    "  --uniqueness-ratio N         percent by which the best must win (10)\n"                                          \
-    "  --speckle-window-size N, --speckle-range N   speckle filter (0 = off)\n"                                         \
-    "  --params FILE.json           parameters by name, or what `stad tune --json` wrote; options win\n"                \
-    "  --memory fast|small          same result, more time or more memory (fast)\n"                                     \
+#define MATCH_OPTIONS_HELP                                                                                   \
+    "  --mode sgbm|hh|3way|hh4      as cv::StereoSGBM's modes (sgbm)\n"                                      \
+    "  --min-disparity N            smallest disparity searched, px (0)\n"                                   \
+    "  --num-disparities N          how many, a multiple of 16 (an eighth of the width)\n"                   \
+    "  --block-size N               side of the matching block, odd (3)\n"                                   \
+    "  --p1 N, --p2 N               costs of small and large disparity steps (8 c b^2, 32 c b^2)\n"          \
+    "  --disp12-max-diff N          largest left-right difference, px (1)\n"                                 \
+    "  --pre-filter-cap N           clip of the prefilter, odd, at least 15 (63)\n"                          \
+    "  --uniqueness-ratio N         percent by which the best must win (10)\n"                               \
+    "  --speckle-window-size N, --speckle-range N   speckle filter (0 = off)\n"                              \
+    "  --params FILE.json           parameters by name, or what `stad tune --json` wrote; options win\n"     \
+    "  --memory fast|small          same result, more time or more memory (fast)\n"                          \
     "  --gray, --color              match on grey (default) or on three channels\n"
 
 typedef struct match_options {

@@ -14,13 +14,15 @@ void measure_feed(stad_score *s, const disparity *d, const truth_map *t)
     }
 }
 
-static int score_at(stad_score *s, const disparity *d, const truth_map *t, int num_disparities, double threshold, tool_fail *f)
+static int score_at(stad_score *s, const disparity *d, const truth_map *t, int num_disparities,
+                    double threshold, tool_fail *f)
 {
     stad_score_config c;
     stad_score_config_init(&c, STAD_SCORE_BAD, d->none_q4 / 16 + 1, num_disparities);
     c.threshold_q16 = (int32_t)(threshold * 65536 + 0.5);
     if (stad_score_begin(s, &c) != STAD_OK)
-        return tool_fail_set(f, TOOL_USAGE, "the scorer refuses min_disparity %d, num_disparities %d, threshold %g",
+        return tool_fail_set(f, TOOL_USAGE,
+                             "the scorer refuses min_disparity %d, num_disparities %d, threshold %g",
                              c.min_disparity, num_disparities, threshold);
     measure_feed(s, d, t);
     return TOOL_OK;
@@ -51,20 +53,22 @@ static void take_main(measures *m, const stad_score *s)
     m->density = ratio(estimated, c->visible);
 }
 
-int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold, tool_fail *f)
+int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold,
+            tool_fail *f)
 {
     stad_score s;
     memset(m, 0, sizeof *m);
     m->threshold = threshold;
     if (d->width != t->width || d->height != t->height)
-        return tool_fail_set(f, TOOL_USAGE, "the disparity map is %d x %d, the truth %d x %d", d->width, d->height, t->width,
-                             t->height);
+        return tool_fail_set(f, TOOL_USAGE, "the disparity map is %d x %d, the truth %d x %d", d->width,
+                             d->height, t->width, t->height);
     int status = score_at(&s, d, t, num_disparities, threshold, f);
     if (status)
         return status;
     take_main(m, &s);
     if (s.counts.visible == 0)
-        return tool_fail_set(f, TOOL_USAGE, "no pixel can be scored: the truth has none visible right of column %d",
+        return tool_fail_set(f, TOOL_USAGE,
+                             "no pixel can be scored: the truth has none visible right of column %d",
                              d->none_q4 / 16 + 1 + num_disparities);
     for (int i = 0; i < MEASURE_THRESHOLDS && status == TOOL_OK; i++) {
         status = score_at(&s, d, t, num_disparities, measure_threshold[i], f);

@@ -21,7 +21,8 @@ typedef struct measures {
 } measures;
 
 /* Sizes must agree. TOOL_USAGE when no pixel at all can be scored. */
-int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold, tool_fail *f);
+int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold,
+            tool_fail *f);
 
 /* Feeds a whole map to a score under way. */
 void measure_feed(stad_score *s, const disparity *d, const truth_map *t);

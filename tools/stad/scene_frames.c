@@ -32,7 +32,8 @@ static double place(const scene_frames *s, target_camera *c)
 
 static target_pose pose_at(const scene_frames *s, const target_camera *c, double z, int i)
 {
-    double t = i + 17.0 * s->seed, px = s->width * (0.6 + 0.05 * sin(t / 5)), py = s->height * (0.5 + 0.05 * sin(t / 7 + 1));
+    double t = i + 17.0 * s->seed, px = s->width * (0.6 + 0.05 * sin(t / 5)),
+           py = s->height * (0.5 + 0.05 * sin(t / 7 + 1));
     target_pose p;
     p.centre.z = z * (1 + 0.06 * sin(t / 9));
     p.centre.x = (px - c->cx) * p.centre.z / c->f;
@@ -70,7 +71,8 @@ static void drop_memory(frame_memory *m)
     picture_free(&m->visible);
 }
 
-static void draw(frame_memory *m, const scene_frames *s, const target_scene *scene, const target_camera *c, int i)
+static void draw(frame_memory *m, const scene_frames *s, const target_scene *scene, const target_camera *c,
+                 int i)
 {
     int n = s->width * s->height;
     target_random random;
@@ -119,7 +121,8 @@ int scene_frames_write(const scene_frames *s, tool_fail *f)
     }
     progress_end();
     if (status == TOOL_OK)
-        printf("focal length %.1f px, baseline %.4f m, centre %.1f,%.1f\n", camera.f, camera.baseline / 1000, camera.cx, camera.cy);
+        printf("focal length %.1f px, baseline %.4f m, centre %.1f,%.1f\n", camera.f, camera.baseline / 1000,
+               camera.cx, camera.cy);
     drop_memory(&m);
     return status;
 }

@@ -9,8 +9,8 @@ typedef struct scene_frames {
     const char *folder;
     int width, height, num_disparities, frames;
     unsigned seed;
-    double noise;     /* grey levels, largest deviation */
-    double drift_dy;  /* px that the right camera has sunk, from drift_from on */
+    double noise;    /* grey levels, largest deviation */
+    double drift_dy; /* px that the right camera has sunk, from drift_from on */
     int drift_from;
 } scene_frames;
 

@@ -16,20 +16,22 @@ const char *simulate_state_name(int state)
 
 const char *simulate_phase_name(int phase)
 {
-    static const char *const names[] = {"idle", "look", "other", "confirm", "pick", "tune", "judge", "save", "probation", "recheck", "compare"};
+    static const char *const names[] = {"idle",  "look", "other",     "confirm", "pick",   "tune",
+                                        "judge", "save", "probation", "recheck", "compare"};
     return NAME_OF(names, phase);
 }
 
 const char *simulate_outcome_name(int outcome)
 {
-    static const char *const names[] = {"none",     "sound",   "adopted",    "corrected", "kept",     "rolled back",
-                                        "no marks", "no pose", "rig failed", "fault",     "cancelled"};
+    static const char *const names[] = {"none",       "sound",       "adopted",  "corrected",
+                                        "kept",       "rolled back", "no marks", "no pose",
+                                        "rig failed", "fault",       "cancelled"};
     return NAME_OF(names, outcome);
 }
 
 const char *simulate_fault_name(int fault)
 {
-    static const char *const names[] = {"none",   "late",    "black", "saturated", "flat", "frozen",
+    static const char *const names[] = {"none",    "late",  "black", "saturated", "flat", "frozen",
                                         "swapped", "marks", "range", "rig",       "size"};
     return NAME_OF(names, fault);
 }
@@ -67,7 +69,8 @@ void simulate_print(const simulation *s)
     printf(", %.1f a second\n", s->seconds > 0 ? s->row_count / s->seconds : 0.0);
     for (int i = 0; i < s->row_count; i++)
         if (s->rows[i].state == STAD_MONITOR_DEGRADED)
-            printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", s->rows[i].frame, 100 * s->rows[i].share);
+            printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", s->rows[i].frame,
+                   100 * s->rows[i].share);
     for (int i = 0; i < s->run_count; i++)
         print_run(&s->runs[i]);
     printf("state:   %s", simulate_phase_name(now->phase));
@@ -91,15 +94,17 @@ int simulate_write_csv(const simulation *s, tool_fail *f)
     int status = tool_out_open(&out, s->csv, f);
     if (status)
         return status;
-    fputs("frame,state,phase,firm_share,considered,firm,valid,rejected_uniqueness,rejected_check", out.stream);
+    fputs("frame,state,phase,firm_share,considered,firm,valid,rejected_uniqueness,rejected_check",
+          out.stream);
     for (int k = 0; k < FIELD_COUNT; k++)
         fprintf(out.stream, ",%s", params_field_name(k));
     fputc('\n', out.stream);
     for (int i = 0; i < s->row_count; i++) {
         const sim_row *r = &s->rows[i];
         const stad_match_counts *c = &r->counts;
-        fprintf(out.stream, "%d,%s,%s,%.5f,%d,%d,%d,%d,%d", r->frame, r->skipped ? "skipped" : simulate_state_name(r->state),
-                simulate_phase_name(r->phase), r->share, c->considered, c->firm, c->valid, c->rejected_uniqueness, c->rejected_check);
+        fprintf(out.stream, "%d,%s,%s,%.5f,%d,%d,%d,%d,%d", r->frame,
+                r->skipped ? "skipped" : simulate_state_name(r->state), simulate_phase_name(r->phase),
+                r->share, c->considered, c->firm, c->valid, c->rejected_uniqueness, c->rejected_check);
         for (int k = 0; k < FIELD_COUNT; k++)
             fprintf(out.stream, ",%ld", params_get(&r->params, k));
         fputc('\n', out.stream);

@@ -19,7 +19,8 @@ static int at_least(int v, int least)
 
 static stad_geometry geometry_of(const simulation *s, const stad_params *p, const picture *left)
 {
-    stad_geometry g = engine_geometry(p, match_options_mode(&s->options), s->options.memory, left->width, left->height, left->channels);
+    stad_geometry g = engine_geometry(p, match_options_mode(&s->options), s->options.memory, left->width,
+                                      left->height, left->channels);
     g.max_block_size = (int16_t)at_least(g.max_block_size, MAX_BLOCK);
     g.max_p2 = (int16_t)at_least(g.max_p2, MAX_P2);
     g.max_pre_filter_cap = (int16_t)at_least(g.max_pre_filter_cap, MAX_CAP);
@@ -29,7 +30,8 @@ static stad_geometry geometry_of(const simulation *s, const stad_params *p, cons
 static stad_camera camera_of(const simulation *s, const picture *left)
 {
     double f = s->rig.focal_px > 0 ? s->rig.focal_px : left->width;
-    double cx = s->cx >= 0 ? s->cx : (left->width - 1) / 2.0, cy = s->cy >= 0 ? s->cy : (left->height - 1) / 2.0;
+    double cx = s->cx >= 0 ? s->cx : (left->width - 1) / 2.0,
+           cy = s->cy >= 0 ? s->cy : (left->height - 1) / 2.0;
     stad_camera c = {(int32_t)(f * 256 + 0.5), (int32_t)(cx * 256 + 0.5), (int32_t)(cy * 256 + 0.5)};
     return c;
 }
@@ -48,7 +50,9 @@ static int start_calib(simulation *s, const stad_geometry *g, const picture *lef
         config.probation_frames = (int16_t)s->probation_frames;
     int status = stad_calib_init(&s->calib, &config, &s->initial);
     if (status != STAD_OK)
-        return tool_fail_set(f, TOOL_USAGE, "the calibration cannot be set up for these frames and parameters: %s", stad_status_name(status));
+        return tool_fail_set(f, TOOL_USAGE,
+                             "the calibration cannot be set up for these frames and parameters: %s",
+                             stad_status_name(status));
     return TOOL_OK;
 }
 
@@ -59,7 +63,8 @@ static int take_work(simulation *s, const stad_geometry *g, tool_fail *f)
     if (posix_memalign(&s->work, STAD_ALIGN, s->work_bytes))
         s->work = NULL;
     s->rows = calloc((size_t)s->frames.count, sizeof *s->rows);
-    return s->work && s->rows ? TOOL_OK : tool_fail_set(f, TOOL_FILE, "not enough memory for the simulated board");
+    return s->work && s->rows ? TOOL_OK
+                              : tool_fail_set(f, TOOL_FILE, "not enough memory for the simulated board");
 }
 
 /* Everything that the first frame's size decides. */
@@ -127,7 +132,8 @@ static int hold(picture *to, const picture *from, tool_fail *f)
     return status;
 }
 
-static int give_frame(simulation *s, const stad_request *r, const picture *left, const picture *right, tool_fail *f)
+static int give_frame(simulation *s, const stad_request *r, const picture *left, const picture *right,
+                      tool_fail *f)
 {
     const stad_image l = picture_view(left), rt = picture_view(right);
     if (stad_calib_frame(&s->calib, &l, &rt, s->work, s->work_bytes) != 1)
@@ -139,7 +145,8 @@ static int give_frame(simulation *s, const stad_request *r, const picture *left,
 static void evaluate(simulation *s, const stad_request *r)
 {
     const stad_image l = picture_view(&s->held[r->hold][0]), rt = picture_view(&s->held[r->hold][1]);
-    stad_calib_cost(&s->calib, stad_calib_evaluate(&s->calib, r, &s->evaluator, &l, &rt, s->work, s->work_bytes));
+    stad_calib_cost(&s->calib,
+                    stad_calib_evaluate(&s->calib, r, &s->evaluator, &l, &rt, s->work, s->work_bytes));
 }
 
 /* Notes an outcome when it appears; it is `none` again while the next run is under way. */
@@ -158,7 +165,8 @@ static void note_run(simulation *s, int frame)
 }
 
 /* Does what is asked for, up to so many evaluations; the pictures are this frame's, or NULL when there is none. */
-static int serve(simulation *s, int frame, const picture *left, const picture *right, long evaluations, tool_fail *f)
+static int serve(simulation *s, int frame, const picture *left, const picture *right, long evaluations,
+                 tool_fail *f)
 {
     stad_request r;
     int status = TOOL_OK, given = 0;
@@ -185,8 +193,8 @@ static int play(simulation *s, int i, tool_fail *f)
     sim_row *row = &s->rows[s->row_count];
     int status = recording_read(&s->frames, i, s->options.color, &left, &right, f);
     if (status == TOOL_OK && (left.width != s->live.geometry.width || left.height != s->live.geometry.height))
-        status = tool_fail_set(f, TOOL_FILE, "%s: frame %d is %d x %d, those before were %d x %d", s->where, i, left.width, left.height,
-                               s->live.geometry.width, s->live.geometry.height);
+        status = tool_fail_set(f, TOOL_FILE, "%s: frame %d is %d x %d, those before were %d x %d", s->where,
+                               i, left.width, left.height, s->live.geometry.width, s->live.geometry.height);
     if (status == TOOL_OK)
         status = degrade_pair(&s->bad, i, &left, &right, f);
     if (status == TOOL_OK && i == s->calibrate_at)
@@ -223,7 +231,8 @@ static void show_progress(const simulation *s, int done, double start)
 {
     double seconds = tool_seconds() - start, rate = seconds > 0 ? done / seconds : 0;
     progress_line("%d / %d frames, %.1f a second, %.0f s left, %s", done, s->frames.count, rate,
-                  rate > 0 ? (s->frames.count - done) / rate : 0.0, simulate_phase_name(stad_calib_report_of(&s->calib)->phase));
+                  rate > 0 ? (s->frames.count - done) / rate : 0.0,
+                  simulate_phase_name(stad_calib_report_of(&s->calib)->phase));
 }
 
 /* The first frame that can be read decides the size. */
@@ -263,7 +272,8 @@ int simulate_run(simulation *s, tool_fail *f)
         show_progress(s, i + 1, start);
     }
     if (status == TOOL_OK)
-        status = serve(s, s->frames.count - 1, NULL, NULL, STAD_TUNE_LOG, f); /* a run under way needs no frame to be finished */
+        status = serve(s, s->frames.count - 1, NULL, NULL, STAD_TUNE_LOG,
+                       f); /* a run under way needs no frame to be finished */
     if (s->rows)
         s->stored_slot = stad_store_load(&s->flash.flash, &s->stored);
     if (s->skipped == s->row_count && status == TOOL_OK)

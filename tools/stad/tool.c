@@ -38,7 +38,8 @@ int tool_words(int argc, int first, int count, const char *wanted, tool_fail *f)
 {
     if (argc - first == count)
         return TOOL_OK;
-    return tool_fail_set(f, TOOL_USAGE, "%s wanted, and %s given", wanted, argc - first < count ? "too few words were" : "more was");
+    return tool_fail_set(f, TOOL_USAGE, "%s wanted, and %s given", wanted,
+                         argc - first < count ? "too few words were" : "more was");
 }
 
 int tool_real(const char *option, const char *text, double lo, double hi, double *value, tool_fail *f)
@@ -57,7 +58,8 @@ int tool_whole(const char *option, const char *text, long lo, long hi, long *val
     errno = 0;
     *value = strtol(text, &end, 10);
     if (end == text || *end || errno || *value < lo || *value > hi)
-        return tool_fail_set(f, TOOL_USAGE, "--%s %s: must be a whole number in %ld..%ld", option, text, lo, hi);
+        return tool_fail_set(f, TOOL_USAGE, "--%s %s: must be a whole number in %ld..%ld", option, text, lo,
+                             hi);
     return TOOL_OK;
 }
 

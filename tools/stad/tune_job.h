@@ -19,9 +19,9 @@ typedef struct tune_job {
     params_some start; /* --start NAME=V,... */
     int from_default;  /* --start default */
     const char *list, *json, *header, *report;
-    char *command;  /* as typed, for the report */
+    char *command; /* as typed, for the report */
     report_rig rig;
-    double cx, cy;  /* principal point, px; negative = the middle */
+    double cx, cy; /* principal point, px; negative = the middle */
     int method;
     unsigned free_mask;
     long max_evals; /* 0: the library's own */
