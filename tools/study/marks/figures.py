@@ -4,8 +4,8 @@
 
     tools/study/marks/run [SECTION ...] [--data DIR] [--frames N]
 
-Sections: size detect clutter images agree time truth rig. Without any: all. Frames are rendered with fixed seeds; `images`
-and `rig` read the open scenes of DIR (MANIFEST.json) and are skipped without it, `agree` Debian's visp-images-data. The
+Sections: size detect clutter images agree time truth rig chessboard. Without any: all. Frames are rendered with fixed seeds; `images`,
+`rig` and `chessboard` read the open scenes of DIR (MANIFEST.json) and are skipped without it, `agree` Debian's visp-images-data. The
 comparison is libapriltag with full resolution, one thread and the same 2 bits of correction."""
 import argparse
 import ctypes as C
@@ -312,7 +312,42 @@ def rig():
     print(f'rig     all of these: recovers {100 * (1 - total[1] / total[0]):.1f} % of the loss')
 
 
-SECTIONS = dict(size=size, detect=detect, clutter=clutter, images=images, agree=agree, time=time, truth=truth, rig=rig)
+def board_corners(image):
+    found, corners = cv2.findChessboardCorners(image, (9, 6))
+    assert found
+    stop = (cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_MAX_ITER, 40, .001)
+    return cv2.cornerSubPix(image, corners, (5, 5), (-1, -1), stop).reshape(-1, 2)
+
+
+def chessboard():
+    """Real pairs: the corners of a printed board, four at a time in place of marks; its plane against what SGBM finds."""
+    folder = f'{ARGS.data}/fiducial/chessboard'
+    if not os.path.exists(f'{folder}/meta.json'):
+        return print('board   SKIPPED: no data')
+    for pair in json.load(open(f'{folder}/meta.json'))['pairs']:
+        left, right = (cv2.imread(f"{folder}/{pair['id']:02d}_{v}.png", cv2.IMREAD_GRAYSCALE) for v in ('left', 'right'))
+        if left is None or right is None:
+            continue
+        corners = np.c_[board_corners(left), board_corners(right)].astype(float)
+        outline = corners[[0, 8, 53, 45], :2].copy()
+        h, w = left.shape
+        numbers, truth_px, label = np.zeros(5), np.zeros((h, w)), np.zeros((h, w), np.uint8)
+        d = corners[:, 0] - corners[:, 2]
+        low = int(d.min()) - 24
+        span = -(-(int(d.max()) + 24 - low) // 16) * 16
+        if not LIB.study_board(ptr(corners), len(corners), ptr(outline), 4, w, h, low, span, ptr(numbers),
+                               ptr(truth_px), ptr(label)):
+            print(f"board   {pair['id']}: refused, status {int(numbers[0])}, rms {numbers[1]:.3f} px")
+            continue
+        m = cv2.StereoSGBM_create(low, span, 5, 200, 800, 1, 31, 10, 0, 0, 0).compute(left, right).astype(float) / 16
+        seen = (label == 1) & (m >= low)
+        print(f"board   {pair['id']}: plane rms {numbers[1]:.3f} px, verdict {int(numbers[2])} (worst dy {numbers[3]:.2f}, rms "
+              f'{numbers[4]:.2f} px); {(label == 1).sum()} px of truth, SGBM off by {np.median((m - truth_px)[seen]):+.3f} px '
+              f'median, {100 * ((m < low) | (abs(m - truth_px) > 1))[label == 1].mean():.1f} % bad')
+
+
+SECTIONS = dict(size=size, detect=detect, clutter=clutter, images=images, agree=agree, time=time, truth=truth, rig=rig,
+                chessboard=chessboard)
 
 if __name__ == '__main__':
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)

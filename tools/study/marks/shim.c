@@ -239,3 +239,47 @@ int study_correct(const stad_rig *rig, const uint8_t *right, int width, int heig
         status = stad_rig_row(rig, &image, y, out + y * width);
     return status;
 }
+
+/* A chessboard: corners as rows of x left, y left, x right, y right in px, taken four at a time as if they were marks. numbers:
+ * status of the plane, its rms, verdict of the rig, its worst dy, rms of dy before. Then the truth of the board's outline
+ * (n corners of a convex polygon), every row. */
+int study_board(const double *corners, int count, const double *outline, int n, int width, int height, int min_disparity,
+                int disparities, double *numbers, double *truth, uint8_t *label)
+{
+    stad_pair pairs[32];
+    stad_rig rig;
+    stad_rig_report drift;
+    stad_plane plane;
+    stad_plane_report fit;
+    stad_truth t;
+    stad_polygon where = {n, {{0, 0}}};
+    for (int i = 0; i < count / 4 * 4; i++) {
+        stad_pair *p = &pairs[i / 4];
+        p->id = (int16_t)(i / 4);
+        p->left[i % 4].x_q8 = (int32_t)(corners[4 * i] * 256 + 0.5);
+        p->left[i % 4].y_q8 = (int32_t)(corners[4 * i + 1] * 256 + 0.5);
+        p->right[i % 4].x_q8 = (int32_t)(corners[4 * i + 2] * 256 + 0.5);
+        p->right[i % 4].y_q8 = (int32_t)(corners[4 * i + 3] * 256 + 0.5);
+    }
+    for (int i = 0; i < n; i++) {
+        where.p[i].x_q8 = (int32_t)(outline[2 * i] * 256);
+        where.p[i].y_q8 = (int32_t)(outline[2 * i + 1] * 256);
+    }
+    numbers[2] = stad_rig_fit(&rig, &drift, pairs, count / 4, width, height);
+    numbers[3] = drift.worst_q8 / 256.0;
+    numbers[4] = drift.rms_before_q8 / 256.0;
+    stad_rig_straighten(&rig, pairs, count / 4);
+    numbers[0] = stad_plane_fit(&plane, &fit, pairs, count / 4);
+    numbers[1] = fit.rms_q8 / 256.0;
+    if (numbers[0] < 0 || stad_truth_init(&t, width, height, min_disparity, disparities, 1) < 0 ||
+        stad_truth_add_plane(&t, &plane, &where) < 0)
+        return 0;
+    int32_t *row = malloc(sizeof *row * (size_t)width);
+    for (int y = 0; y < height; y++) {
+        stad_truth_row(&t, y, width, row, label + y * width);
+        for (int x = 0; x < width; x++)
+            truth[y * width + x] = row[x] / 65536.0;
+    }
+    free(row);
+    return 1;
+}

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""Scenes, their truth as integers, and the black box that every method of the study calls: parameters -> exact counts.
+
+STAD_DATA names the folder with MANIFEST.json. Counts of every point ever evaluated are kept on disk (STAD_STUDY_CACHE), so
+a method that visits a point another one has visited costs nothing, and a table can be printed again in seconds."""
+import json
+import os
+import tempfile
+import time
+
+import cv2  # reads PNG; matching is the library's own
+import numpy as np
+
+from native import Matcher, Native
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+DATA = os.environ.get("STAD_DATA", "")
+CACHE = os.environ.get("STAD_STUDY_CACHE", os.path.join(tempfile.gettempdir(), "stad-study", "cache"))
+COUNTS = ("visible", "occluded", "wrong_visible", "wrong_occluded", "missing_visible", "missing_occluded", "d1_visible", "d1_occluded",
+          "square_sum_q16", "abs_sum_q16")
+NONE = -2**31
+DEFAULT = (2, 5, 3, 0, 15, 1)  # cv::StereoSGBM::create(), normalised
+_matcher = []
+
+
+def matcher():
+    if not _matcher:
+        _matcher.append(Matcher())
+    return _matcher[0]
+
+
+def sample(block=3, channels=1):
+    """The parameters of OpenCV's stereo sample."""
+    return (8 * channels * block * block, 32 * channels * block * block, block, 10, 63, 1)
+
+
+def split(half, family):
+    return json.load(open(os.path.join(HERE, "split.json")))[family][half]
+
+
+def manifest():
+    return {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json"))) if "numDisparities" in s}
+
+
+def grey(path):
+    bgr = cv2.imread(path, cv2.IMREAD_UNCHANGED)
+    if bgr.ndim == 2:
+        return bgr
+    b, g, r = (bgr[..., i].astype(np.int32) for i in range(3))
+    return ((9798 * r + 19235 * g + 3735 * b + 16384) >> 15).astype(np.uint8)
+
+
+def read_pfm(path):
+    with open(path, "rb") as f:
+        assert f.readline().strip() == b"Pf"
+        w, h = map(int, f.readline().split())
+        order = "<" if float(f.readline()) < 0 else ">"
+        return np.flipud(np.frombuffer(f.read(), order + "f4").reshape(h, w))
+
+
+def truth_q16(folder):
+    pfm = os.path.join(folder, "disp.pfm")
+    if os.path.exists(pfm):
+        px = read_pfm(pfm)
+        fine = np.isfinite(px)
+        return np.where(fine, np.rint(np.where(fine, px, 0).astype(np.float64) * 65536), NONE).astype(np.int32)
+    raw = cv2.imread(os.path.join(folder, "disp.png"), cv2.IMREAD_UNCHANGED).astype(np.int32)
+    return np.where(raw > 0, raw * 256, NONE).astype(np.int32)
+
+
+def canonical(x):
+    """The parameter set as the matcher runs it: OpenCV makes an even cap odd."""
+    x = tuple(x)
+    return x[:4] + (x[4] | 1,) + x[5:]
+
+
+class Scene:
+    def __init__(self, path, native=None):
+        self.native = native or Native()
+        meta = manifest()[path]
+        folder = os.path.join(DATA, path)
+        self.path, self.disparities = path, meta["numDisparities"]
+        self.threshold_q16 = (3 if path.startswith("kitti2015") else 1) * 65536
+        self.left, self.right = grey(os.path.join(folder, "left.png")), grey(os.path.join(folder, "right.png"))
+        self.truth = np.ascontiguousarray(truth_q16(folder))
+        mask = os.path.join(folder, "nonocc.png")
+        if os.path.exists(mask):
+            seen = cv2.imread(mask, cv2.IMREAD_UNCHANGED) > 0
+            self.label = np.where(self.truth == NONE, 0, np.where(seen, 1, 2)).astype(np.uint8)
+        else:
+            self.label = self.native.label(self.truth)
+        self.seconds = 0.0
+        os.makedirs(CACHE, exist_ok=True)
+        self.file = os.path.join(CACHE, path.replace("/", "_") + ".txt")
+        self.known = {}
+        self.reload()
+
+    def reload(self):
+        if os.path.exists(self.file):
+            for line in open(self.file):
+                f = line.split()
+                if len(f) == 6 + len(COUNTS):
+                    self.known[canonical(map(int, f[:6]))] = tuple(map(int, f[6:]))
+
+    def disparity(self, x):
+        return matcher().match(self.left, self.right, self.disparities, x)
+
+    def counts(self, x):
+        x = canonical(x)
+        if x not in self.known:
+            begin = time.time()
+            s = self.native.score([(self.disparity(x), self.truth, self.label)], self.disparities, self.threshold_q16)
+            self.seconds += time.time() - begin
+            self.known[x] = tuple(getattr(s.counts, n) for n in COUNTS)
+            with open(self.file, "a") as f:
+                f.write(" ".join(map(str, x + self.known[x])) + "\n")
+        return dict(zip(COUNTS, self.known[x]))
+
+    def cost(self, x, kind):
+        return cost_q20(self.counts(x), kind)
+
+
+def cost_q20(n, kind):
+    """The library's cost from exact counts (test_costs.py holds both equal)."""
+    if kind == "bad":
+        part, whole = n["wrong_visible"] + n["missing_visible"], n["visible"]
+    elif kind == "chow":
+        part, whole = 2 * (n["wrong_visible"] + n["wrong_occluded"]) + n["missing_visible"], 2 * (n["visible"] + n["occluded"])
+    else:
+        raise ValueError(kind)
+    return (part * 2**20 + whole // 2) // whole
+
+
+def measures(n):
+    """bad, chow, density as percent; RMSE in px."""
+    matched = n["visible"] - n["missing_visible"]
+    return {"bad": 100 * (n["wrong_visible"] + n["missing_visible"]) / n["visible"],
+            "chow": 50 * (2 * (n["wrong_visible"] + n["wrong_occluded"]) + n["missing_visible"]) / (n["visible"] + n["occluded"]),
+            "rmse": (n["square_sum_q16"] / 65536 / max(matched, 1)) ** 0.5, "density": 100 * matched / n["visible"]}
