@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 /* Largest budget: distinct evaluations that the log holds. */
-#define STAD_TUNE_LOG 200
+#define STAD_TUNE_LOG 240
 
 /* The coordinates of a point. In another problem than stereo they are just six integers (see stad_tune_scale). */
 enum stad_tune_dim {
