@@ -78,10 +78,9 @@ static stad_path_job path_job(kernel_case *k, int32_t p2_top)
     job.p2 = chance_value(c, 2, p2_top);
     job.p1 = chance_value(c, 1, job.p2 - 1);
     job.fresh = (int)(chance_draw(c) % 2);
-    job.clamp_delta = (int)(chance_draw(c) % 2);
     job.block = room_i16(c, job.count * job.disparities, job.p2, STAD_COST_MAX);
-    snprintf(k->text, sizeof k->text, "count %d disparities %d stride %d step %d p1 %d p2 %d fresh %d clamp %d", job.count,
-             job.disparities, job.stride, job.step, job.p1, job.p2, job.fresh, job.clamp_delta);
+    snprintf(k->text, sizeof k->text, "count %d disparities %d stride %d step %d p1 %d p2 %d fresh %d", job.count,
+             job.disparities, job.stride, job.step, job.p1, job.p2, job.fresh);
     return job;
 }
 

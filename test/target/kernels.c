@@ -232,7 +232,6 @@ static stad_path_job path_job(int32_t p2_top, int32_t block_top)
     job.p2 = between(2, p2_top);
     job.p1 = between(1, job.p2 - 1);
     job.fresh = (int)(draw() % 2);
-    job.clamp_delta = (int)(draw() % 2);
     fill_i16(words_a, job.count * job.disparities, job.p2, block_top);
     fill_i16(words_b, job.count * job.disparities, 0, 32767);
     memcpy(mine.i16 + GUARD, words_b, 2 * (size_t)(job.count * job.disparities));

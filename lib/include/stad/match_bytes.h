@@ -22,11 +22,12 @@
  * for, so that the maximum over all d up to max_disp is reserved. */
 #define STAD_CELLS(w, d) (2 * (size_t)(d) <= (size_t)(w) ? ((size_t)(w) - (d)) * (d) : ((size_t)(w) / 2) * ((size_t)(w) - (size_t)(w) / 2))
 
-/* Largest pixel cost (SPEC 3), the bytes it takes, and whether a block cost can never saturate (SPEC 10). */
+/* Largest pixel cost (SPEC 3), the bytes it takes, and whether a block cost can never saturate: b rows of b, and the row
+ * that SPEC 4 adds before it takes one away. */
 #define STAD_COST_TOP(cn, cap)   ((size_t)(cn) * ((2 * ((size_t)(cap) | 1u) > 255 ? 255 : 2 * ((size_t)(cap) | 1u)) + 63))
 #define STAD_COST_BYTES(cn, cap) (STAD_COST_TOP(cn, cap) <= 255 ? (size_t)1 : (size_t)2)
 #define STAD_COST_SAFE(cn, b, p2, cap) \
-    ((b) <= 181 && (size_t)(p2) + (size_t)(b) * (size_t)(b) * STAD_COST_TOP(cn, cap) <= 32767)
+    ((b) <= 181 && (size_t)(p2) + (size_t)(b) * ((size_t)(b) + 1) * STAD_COST_TOP(cn, cap) <= 32767)
 
 /* Path state in bytes instead of int16: exact while p2 <= 255 and C cannot saturate. Not in 3WAY, where the sum row it
  * needs would cost more than it saves. */

@@ -62,8 +62,9 @@ void stad_slide_row_c(const stad_slide_job *job, int16_t *block);
  * slots; the caller picks `write` so that the slot read holds the path's previous pixel. The kernel leaves `write` at the
  * next pixel's slot. block and total point at the first pixel taken; `step` is +1 or -1 column to the next. total: S; NULL:
  * not wanted; else written by the first lane when `fresh`, added to (saturating at 32767) otherwise.
- * stad_path_row: exact when C cannot saturate (p2 + block^2 * largest cost <= 32767).
- * stad_path_row_sat: all int16 saturation of SPEC 5, in order; clamp_delta != 0 saturates m + p2 as 3WAY does. */
+ * stad_path_row: exact when C cannot saturate (STAD_COST_SAFE).
+ * stad_path_row_sat: all int16 saturation of SPEC 5, in order. m + p2 <= 32767 there too: some d
+ * of every pixel has L = C - p2. */
 typedef struct stad_lane {
     int16_t *cost;  /* slot 0 */
     int16_t *least; /* one a slot */
@@ -74,7 +75,7 @@ typedef struct stad_path_job {
     int16_t *total;
     int32_t count, disparities, stride, step;
     int32_t p1, p2;
-    int fresh, clamp_delta;
+    int fresh;
 } stad_path_job;
 void stad_path_row_c(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_path_row_sat_c(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);

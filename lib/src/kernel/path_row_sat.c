@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * box -> [PATH] -> best
- * kernel/path_row_sat.c - path costs with every int16 saturation and wrap of SPEC 5, in its order. */
+ * kernel/path_row_sat.c - path costs with every int16 saturation of SPEC 5, in its order. */
 #include "kernel/kernel.h"
 #include "base/arith.h"
 
@@ -20,8 +20,7 @@ static int16_t step_costs(const stad_path_job *job, const int16_t *p, int16_t de
 static void step_lane(const stad_path_job *job, stad_lane *lane, const int16_t *block, int16_t *total, int fresh)
 {
     const int32_t to = lane->write, from = to + 1 == lane->slots ? 0 : to + 1;
-    const int32_t sum = lane->least[from] + job->p2;
-    const int16_t delta = job->clamp_delta ? sat_i16(sum) : wrap_i16(sum);
+    const int16_t delta = narrow_i16(lane->least[from] + job->p2);
     int16_t *path = lane->cost + (ptrdiff_t)to * job->stride;
     lane->least[to] = step_costs(job, lane->cost + (ptrdiff_t)from * job->stride, delta, block, path);
     lane->write = from;

@@ -41,7 +41,7 @@ static stad_path_job path_job(const stad_frame *f, const int16_t *block, int16_t
 {
     const ptrdiff_t first = step > 0 ? 0 : (ptrdiff_t)(count - 1) * f->p.num_disparities;
     stad_path_job job = {block + first, total ? total + first : NULL, count, f->p.num_disparities, f->stride, step,
-                         f->p.p1, f->p.p2, 0, f->g.mode == STAD_MODE_3WAY};
+                         f->p.p1, f->p.p2, 0};
     return job;
 }
 
