@@ -72,7 +72,7 @@ static int same_lanes(const lane_group *a, const lane_group *b, const stad_path_
 static stad_path_job path_job(kernel_case *k, int32_t p2_top)
 {
     chance *c = &k->chance;
-    stad_path_job job = {NULL, NULL, chance_between(c, 1, 9), k->size, 0, 0, 0, 0, 0, 0};
+    stad_path_job job = {NULL, NULL, chance_between(c, 1, 9), k->size, 0, 0, 0, 0, 0};
     job.stride = job.disparities + (chance_draw(c) % 2 ? 16 : 1);
     job.step = chance_draw(c) % 2 ? 1 : -1;
     job.p2 = chance_value(c, 2, p2_top);

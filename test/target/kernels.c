@@ -224,7 +224,7 @@ static void fill_lane(int k, const stad_path_job *job, int saturating)
 
 static stad_path_job path_job(int32_t p2_top, int32_t block_top)
 {
-    stad_path_job job = {words_a, mine.i16 + GUARD, 0, 0, 0, 0, 0, 0, 0, 0};
+    stad_path_job job = {words_a, mine.i16 + GUARD, 0, 0, 0, 0, 0, 0, 0};
     job.disparities = between(1, DISPARITIES / 8) * 8;
     job.stride = job.disparities + (draw() % 2 ? 8 : 1);
     job.count = between(1, 9);
