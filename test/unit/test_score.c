@@ -5,11 +5,11 @@
 #include "stad/score.h"
 #include "unity.h"
 
-#define PX(v)    ((int32_t)((v) * 65536))
-#define NONE_Q4  (-16) /* min_disparity 0 */
-#define VIS      STAD_LABEL_VISIBLE
-#define OCC      STAD_LABEL_OCCLUDED
-#define IGN      STAD_LABEL_IGNORED
+#define PX(v)   ((int32_t)((v) * 65536))
+#define NONE_Q4 (-16) /* min_disparity 0 */
+#define VIS     STAD_LABEL_VISIBLE
+#define OCC     STAD_LABEL_OCCLUDED
+#define IGN     STAD_LABEL_IGNORED
 
 static stad_score score;
 static stad_score_config config;
@@ -42,7 +42,8 @@ static void feed(const int16_t *disp, const int32_t *truth, const uint8_t *label
  *   visible: right by 0, right by exactly 1 px, wrong by 1/65536 more than 1 px, wrong by 4 px, missing
  *   occluded: right, wrong, missing;  ignored: wrong, missing, no truth */
 static const int16_t mixed_disp[] = {80, 96, 96, 144, NONE_Q4, 80, 160, NONE_Q4, 160, NONE_Q4, 80};
-static const int32_t mixed_truth[] = {PX(5), PX(5), PX(5) - 1, PX(5), PX(5), PX(5), PX(5), PX(5), PX(5), PX(5), STAD_TRUTH_NONE};
+static const int32_t mixed_truth[] = {PX(5), PX(5), PX(5) - 1, PX(5), PX(5),          PX(5),
+                                      PX(5), PX(5), PX(5),     PX(5), STAD_TRUTH_NONE};
 static const uint8_t mixed_label[] = {VIS, VIS, VIS, VIS, VIS, OCC, OCC, OCC, IGN, IGN, VIS};
 
 static void feed_mixed(int cost)
@@ -72,7 +73,8 @@ static void test_score_mixed_row_costs_by_hand(void)
     feed_mixed(STAD_SCORE_BAD);
     TEST_ASSERT_EQUAL_INT32((3 * STAD_COST_ONE + 2) / 5, stad_score_end(&score)); /* (2 + 1) / 5 */
     feed_mixed(STAD_SCORE_CHOW);
-    TEST_ASSERT_EQUAL_INT32((7 * STAD_COST_ONE + 8) / 16, stad_score_end(&score)); /* (2*2 + 2*1 + 1) / (2*8) */
+    TEST_ASSERT_EQUAL_INT32((7 * STAD_COST_ONE + 8) / 16,
+                            stad_score_end(&score)); /* (2*2 + 2*1 + 1) / (2*8) */
     feed_mixed(STAD_SCORE_D1);
     TEST_ASSERT_EQUAL_INT32((2 * STAD_COST_ONE + 2) / 5, stad_score_end(&score)); /* (1 + 1) / 5 */
     feed_mixed(STAD_SCORE_MISSING);
@@ -180,7 +182,8 @@ static void test_score_weighted_sum_is_the_sum(void)
     config.weight_q8[STAD_SCORE_MISSING] = 512;
     feed_mixed(STAD_SCORE_WEIGHTED);
     const int64_t expected = ((int64_t)stad_score_cost_of(&score, STAD_SCORE_BAD) * 128 +
-                              (int64_t)stad_score_cost_of(&score, STAD_SCORE_MISSING) * 512 + 128) >> 8;
+                              (int64_t)stad_score_cost_of(&score, STAD_SCORE_MISSING) * 512 + 128) >>
+                             8;
     TEST_ASSERT_EQUAL_INT32((int32_t)expected, stad_score_end(&score)); /* 0.5 * 0.6 + 2 * 0.2 = 0.7 */
     TEST_ASSERT_INT32_WITHIN(2, STAD_COST_ONE * 7 / 10, stad_score_end(&score));
     config.weight_q8[STAD_SCORE_BLIND] = 1; /* a term that was never fed */

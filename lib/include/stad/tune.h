@@ -55,24 +55,27 @@ enum stad_tune_method {
 enum stad_tune_scale {
     STAD_TUNE_LINEAR = 0, /* continuous: one step is `unit` */
     STAD_TUNE_LOG2 = 1,   /* continuous: one step is an octave */
-    STAD_TUNE_AREA = 2,   /* as LOG2, relative to the block: v / block_size^1.5 is held when the block changes */
-    STAD_TUNE_ODD = 3,    /* discrete: odd numbers, polled one to either side */
-    STAD_TUNE_POWER = 4   /* discrete: powers of two, polled one to either side */
+    STAD_TUNE_AREA =
+        2,             /* as LOG2, relative to the block: v / block_size^1.5 is held when the block changes */
+    STAD_TUNE_ODD = 3, /* discrete: odd numbers, polled one to either side */
+    STAD_TUNE_POWER = 4 /* discrete: powers of two, polled one to either side */
 };
 
 typedef struct stad_tune_axis {
     int16_t lo, hi; /* inclusive; lo >= 1 for all but LINEAR */
-    int16_t unit;   /* >= 1. LINEAR: integers per step; LOG2 and AREA: only lo, lo + unit, lo + 2 unit, ... are asked for */
-    uint8_t scale;  /* enum stad_tune_scale */
-    int8_t side;    /* +1 or -1: where to look first */
+    int16_t
+        unit; /* >= 1. LINEAR: integers per step; LOG2 and AREA: only lo, lo + unit, lo + 2 unit, ... are asked for */
+    uint8_t scale; /* enum stad_tune_scale */
+    int8_t side;   /* +1 or -1: where to look first */
 } stad_tune_axis;
 
 #define STAD_TUNE_LADDER 6
 
 typedef struct stad_tune_config {
-    uint8_t method;       /* enum stad_tune_method */
-    uint8_t free_mask;    /* bit i set: coordinate i is free; the others keep the value of the start */
-    uint8_t ordered;      /* 1: p2 is kept at or above sqrt(2) * p1, as stereo wants; 0: coordinates are independent */
+    uint8_t method;    /* enum stad_tune_method */
+    uint8_t free_mask; /* bit i set: coordinate i is free; the others keep the value of the start */
+    uint8_t
+        ordered; /* 1: p2 is kept at or above sqrt(2) * p1, as stereo wants; 0: coordinates are independent */
     uint8_t ladder_count; /* 0..STAD_TUNE_LADDER */
     int16_t budget;       /* distinct evaluations, 1..STAD_TUNE_LOG */
     int16_t patience;     /* 0: use the whole budget; 1: stop when the first descent has converged */

@@ -19,7 +19,8 @@ void stad_score_config_init(stad_score_config *c, int cost, int min_disparity, i
 int stad_score_begin(stad_score *s, const stad_score_config *c)
 {
     memset(s, 0, sizeof *s);
-    if (c->num_disparities <= 0 || c->threshold_q16 < 0 || c->photo_limit == 0 || c->cost > STAD_SCORE_WEIGHTED)
+    if (c->num_disparities <= 0 || c->threshold_q16 < 0 || c->photo_limit == 0 ||
+        c->cost > STAD_SCORE_WEIGHTED)
         return STAD_E_PARAM;
     for (int i = 0; i < STAD_SCORE_TERMS; i++) {
         if (c->weight_q8[i] < 0)
@@ -40,7 +41,8 @@ static void count_error(stad_score *s, int visible, int32_t disp_q16, int32_t tr
 {
     stad_score_counts *n = &s->counts;
     const int64_t signed_error = (int64_t)disp_q16 - truth_q16;
-    const int64_t error = signed_error < 0 ? -signed_error : signed_error; /* < 2^29: both sides are below 4096 px */
+    const int64_t error =
+        signed_error < 0 ? -signed_error : signed_error; /* < 2^29: both sides are below 4096 px */
     const int64_t size = truth_q16 < 0 ? -(int64_t)truth_q16 : truth_q16;
     const int wrong = error > s->config.threshold_q16;
     const int d1 = error > 3 * 65536 && error * 20 > size;
@@ -49,7 +51,8 @@ static void count_error(stad_score *s, int visible, int32_t disp_q16, int32_t tr
         n->d1_occluded += d1;
         return;
     }
-    const int64_t error_q8 = (error + 128) >> 8; /* < 2^21, its square < 2^42: 2^21 pixels at the far end of the range */
+    const int64_t error_q8 =
+        (error + 128) >> 8; /* < 2^21, its square < 2^42: 2^21 pixels at the far end of the range */
     n->wrong_visible += wrong;
     n->d1_visible += d1;
     n->abs_sum_q16 += error;

@@ -44,7 +44,8 @@ void stad_score_row_blind(stad_score *s, int y, const int16_t *disp_q4_row, cons
             continue;
         }
         const int32_t e = photo_error(left_row, right_row, x, width, disp_q4);
-        const int bin = (disp_q4 - min_q4) * 32 / range_q4; /* subpixel steps can leave the range by half a pixel */
+        const int bin =
+            (disp_q4 - min_q4) * 32 / range_q4; /* subpixel steps can leave the range by half a pixel */
         s->counts.matched++;
         s->counts.photo_sum += e < limit ? e : limit;
         s->histogram[bin < 0 ? 0 : bin > 31 ? 31 : bin]++;

@@ -24,7 +24,8 @@ int32_t stad_score_rmse_q16(const stad_score *s)
     if (n <= 0)
         return 0;
     const int64_t mean_q16 = (s->counts.square_sum_q16 + n / 2) / n;
-    return (int32_t)stad_isqrt((uint64_t)mean_q16 << 16); /* mean_q16 <= 2^42: errors are below 2^21 / 256 px */
+    return (int32_t)stad_isqrt((uint64_t)mean_q16
+                               << 16); /* mean_q16 <= 2^42: errors are below 2^21 / 256 px */
 }
 
 int32_t stad_score_mae_q16(const stad_score *s)

@@ -10,7 +10,7 @@
 
 #include "stad/tune.h"
 
-#define TUNE_ONE 65536 /* one step of a continuous variable, Q16 */
+#define TUNE_ONE      65536 /* one step of a continuous variable, Q16 */
 #define TUNE_INFINITY INT32_MAX
 
 /* Variables: continuous axes in steps, Q16; discrete axes hold their integer. */

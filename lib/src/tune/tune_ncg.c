@@ -15,9 +15,9 @@
 #define ITERATIONS   30
 
 /* The axes in the order that lets a matcher keep most of its work between probes. */
-static const uint8_t sweep_order[STAD_TUNE_DIMS] = {STAD_TUNE_PRE_FILTER_CAP,     STAD_TUNE_P1,
-                                                    STAD_TUNE_P2,                 STAD_TUNE_UNIQUENESS_RATIO,
-                                                    STAD_TUNE_BLOCK_SIZE,         STAD_TUNE_DISP12_MAX_DIFF};
+static const uint8_t sweep_order[STAD_TUNE_DIMS] = {
+    STAD_TUNE_PRE_FILTER_CAP,   STAD_TUNE_P1,         STAD_TUNE_P2,
+    STAD_TUNE_UNIQUENESS_RATIO, STAD_TUNE_BLOCK_SIZE, STAD_TUNE_DISP12_MAX_DIFF};
 
 static int sweep_all(stad_tune *t, tune_walk *w)
 {
@@ -152,7 +152,8 @@ static int branch(stad_tune *t)
         int32_t cost;
         stad_tune_to_vars(&t->config, &from, &v);
         v.v[i] += 2 * side;
-        if (!stad_tune_is_free(&t->config, i) || a->scale != STAD_TUNE_ODD || v.v[i] < a->lo || v.v[i] > a->hi)
+        if (!stad_tune_is_free(&t->config, i) || a->scale != STAD_TUNE_ODD || v.v[i] < a->lo ||
+            v.v[i] > a->hi)
             continue;
         stad_tune_to_point(t, &v, &x);
         if (!stad_tune_look(t, &x, &cost) || !descend(t, &x, cost, REACH_FIRST))

@@ -7,9 +7,9 @@
 
 #include <string.h>
 
-#define BETA_ONE  4096 /* Q12 */
-#define MAX_MOVE  (3 * TUNE_ONE)
-#define MAX_TRIES 3
+#define BETA_ONE   4096 /* Q12 */
+#define MAX_MOVE   (3 * TUNE_ONE)
+#define MAX_TRIES  3
 #define MAX_FOLLOW 8
 
 typedef struct direction {

@@ -4,19 +4,19 @@
 #define STAD_TUNE_SWITCHES_H
 
 #ifndef TUNE_BETA
-#define TUNE_BETA 1 /* PR+; 0: the scaled steepest way alone */
+#    define TUNE_BETA 1 /* PR+; 0: the scaled steepest way alone */
 #endif
 #ifndef TUNE_SCALING
-#define TUNE_SCALING 1 /* curvature as preconditioner */
+#    define TUNE_SCALING 1 /* curvature as preconditioner */
 #endif
 #ifndef TUNE_JOINT
-#define TUNE_JOINT 1 /* the joint step after a sweep */
+#    define TUNE_JOINT 1 /* the joint step after a sweep */
 #endif
 #ifndef TUNE_FOLLOW
-#define TUNE_FOLLOW 1 /* going on along an iteration's way */
+#    define TUNE_FOLLOW 1 /* going on along an iteration's way */
 #endif
 #ifndef TUNE_POLLS
-#define TUNE_POLLS 1 /* polls of the discrete axes, and the branches */
+#    define TUNE_POLLS 1 /* polls of the discrete axes, and the branches */
 #endif
 
 #endif

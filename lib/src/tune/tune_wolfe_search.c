@@ -66,7 +66,9 @@ int stad_tune_wolfe_gradient(stad_tune *t, wolfe_way *d, wolfe_spot *s)
         if (!stad_tune_wolfe_cost(t, z, &down))
             return 0;
         int64_t slope = ((int64_t)up - down) * 65536 / (2 * (int64_t)d->diff[i]);
-        s->slope[i] = slope > WOLFE_SLOPE_MOST ? WOLFE_SLOPE_MOST : slope < -WOLFE_SLOPE_MOST ? -WOLFE_SLOPE_MOST : (int32_t)slope;
+        s->slope[i] = slope > WOLFE_SLOPE_MOST    ? WOLFE_SLOPE_MOST
+                      : slope < -WOLFE_SLOPE_MOST ? -WOLFE_SLOPE_MOST
+                                                  : (int32_t)slope;
         if (up == down && d->diff[i] < TUNE_ONE)
             d->diff[i] *= 2;
     }
@@ -121,4 +123,3 @@ int stad_tune_wolfe_search(stad_tune *t, wolfe_way *d, wolfe_spot *s, int32_t *a
     *s = best;
     return 1;
 }
-
