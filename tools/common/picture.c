@@ -108,6 +108,17 @@ int picture_write_png(const picture *p, const char *path, tool_fail *f)
     return raster_write_png(&r, path, f);
 }
 
+int picture_write_pgm(const picture *p, const char *path, tool_fail *f)
+{
+    tool_out out;
+    int status = tool_out_open(&out, path, f);
+    if (status)
+        return status;
+    fprintf(out.stream, "P5\n%d %d\n255\n", p->width, p->height);
+    fwrite(p->pix, 1, (size_t)p->width * (size_t)p->height, out.stream);
+    return tool_out_close(&out, 1, f);
+}
+
 int picture_png_bytes(const picture *p, char **bytes, size_t *size, tool_fail *f)
 {
     raster r = {p->width, p->height, p->channels, 8, p->pix};

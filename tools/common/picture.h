@@ -40,7 +40,10 @@ int picture_read(picture *p, const char *path, enum picture_want want, tool_fail
 /* Writes an 8-bit PNG of 1 or 3 channels (R, G, B). */
 int picture_write_png(const picture *p, const char *path, tool_fail *f);
 
-/* The same file in memory: *bytes is malloc'd. */
+/* Writes grey as PGM, for those who have no libpng. */
+int picture_write_pgm(const picture *p, const char *path, tool_fail *f);
+
+/* A PNG in memory: *bytes is malloc'd. */
 int picture_png_bytes(const picture *p, char **bytes, size_t *size, tool_fail *f);
 
 /* A 16-bit grey plane as PNG, both ways; `pix` is malloc'd by the reader. The reader takes 8-bit grey files too (PNG or PGM)

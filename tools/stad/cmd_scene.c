@@ -29,7 +29,7 @@ static const char help[] =
     "  --gain PERCENT               the right camera's, against the left (100)\n\n"
     "  --target                     a recording instead: a room in which the calibration target is held up, "
     "NNN_left.png, ...\n"
-    "  --frames N                   of it (16)\n"
+    "  --frames N                   of it (16); --pgm: views as .pgm\n"
     "  --drift PX                   by which the right camera has sunk (0), --from K: from frame K on (0)\n\n"
     "Example: stad scene -o scene && stad match scene/left.png scene/right.png -o disp.pfm --num-disparities "
     "64\n";
@@ -38,7 +38,7 @@ typedef struct scene_job {
     const char *folder;
     long width, height, min_disparity, num_disparities, plates, seed, noise, gain, frames, from;
     double drift;
-    int target;
+    int target, pgm;
 } scene_job;
 
 static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
@@ -51,6 +51,7 @@ static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"noise", required_argument, NULL, 'N'},
                                       {"gain", required_argument, NULL, 'g'},
                                       {"target", no_argument, NULL, 't'},
+                                      {"pgm", no_argument, NULL, 'P'},
                                       {"frames", required_argument, NULL, 'f'},
                                       {"drift", required_argument, NULL, 'd'},
                                       {"from", required_argument, NULL, 'k'},
@@ -77,6 +78,9 @@ static int take(scene_job *j, int code, tool_fail *f)
         return tool_whole("seed", optarg, 0, INT32_MAX, &j->seed, f);
     case 't':
         j->target = 1;
+        return TOOL_OK;
+    case 'P':
+        j->pgm = 1;
         return TOOL_OK;
     case 'f':
         return tool_whole("frames", optarg, 1, 999, &j->frames, f);
@@ -135,9 +139,11 @@ static int write_truth(const int32_t *q16, int width, int height, const char *fo
 
 static int record_target(const scene_job *j, tool_fail *f)
 {
-    const scene_frames s = {j->folder,      (int)j->width,     (int)j->height,   (int)j->num_disparities,
-                            (int)j->frames, (unsigned)j->seed, (double)j->noise, j->drift,
-                            (int)j->from};
+    const scene_frames s = {j->folder,        (int)j->width,
+                            (int)j->height,   (int)j->num_disparities,
+                            (int)j->frames,   (unsigned)j->seed,
+                            (double)j->noise, j->drift,
+                            (int)j->from,     j->pgm};
     if (j->min_disparity != 0 || j->gain != 100)
         return tool_fail_set(f, TOOL_USAGE, "--min-disparity and --gain do not go with --target");
     return scene_frames_write(&s, f);
@@ -180,7 +186,7 @@ static int work(const scene_job *j, tool_fail *f)
 
 int cmd_scene(int argc, char **argv)
 {
-    scene_job j = {NULL, 640, 480, 0, 64, 12, 1, 6, 100, 16, 0, 0, 0};
+    scene_job j = {NULL, 640, 480, 0, 64, 12, 1, 6, 100, 16, 0, 0, 0, 0};
     tool_fail f = {0};
     int status = read_options(&j, argc, argv, &f);
     if (status >= 0)

@@ -87,14 +87,19 @@ static void draw(frame_memory *m, const scene_frames *s, const target_scene *sce
         m->visible.pix[k] = m->label[k] == STAD_LABEL_VISIBLE ? 255 : 0;
 }
 
+static int write_view(const picture *p, const scene_frames *s, int i, const char *name, tool_fail *f)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%03d_%s.%s", s->folder, i, name, s->pgm ? "pgm" : "png");
+    return s->pgm ? picture_write_pgm(p, path, f) : picture_write_png(p, path, f);
+}
+
 static int write_frame(const frame_memory *m, const scene_frames *s, int i, tool_fail *f)
 {
     char path[4096];
-    snprintf(path, sizeof path, "%s/%03d_left.png", s->folder, i);
-    int status = picture_write_png(&m->picture[0], path, f);
-    snprintf(path, sizeof path, "%s/%03d_right.png", s->folder, i);
+    int status = write_view(&m->picture[0], s, i, "left", f);
     if (status == TOOL_OK)
-        status = picture_write_png(&m->picture[1], path, f);
+        status = write_view(&m->picture[1], s, i, "right", f);
     snprintf(path, sizeof path, "%s/%03d_nonocc.png", s->folder, i);
     if (status == TOOL_OK)
         status = picture_write_png(&m->visible, path, f);

@@ -12,9 +12,10 @@ typedef struct scene_frames {
     double noise;    /* grey levels, largest deviation */
     double drift_dy; /* px that the right camera has sunk, from drift_from on */
     int drift_from;
+    int pgm; /* 1: the views are written as .pgm */
 } scene_frames;
 
-/* Writes NNN_left.png, NNN_right.png, NNN_disp.pfm and NNN_nonocc.png for every frame. */
+/* Writes NNN_left.png, NNN_right.png (or .pgm), NNN_disp.pfm and NNN_nonocc.png for every frame. */
 int scene_frames_write(const scene_frames *s, tool_fail *f);
 
 #endif
