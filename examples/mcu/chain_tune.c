@@ -71,19 +71,18 @@ static int start(void)
            stad_tune_ncg_init(&tune, &config, &first) == STAD_OK;
 }
 
-int chain_tune(void)
+int chain_tune(stad_params *best)
 {
-    stad_params p;
     stad_point x;
     int32_t cost_q20, first_q20 = -1;
     uint32_t hash = HASH_START;
     int i;
     if (!start())
         return chain_agrees("tune", 0, EXPECT_TUNE);
-    stad_params_sample(&p, DISPARITIES, 3, 1);
+    stad_params_sample(best, DISPARITIES, 3, 1);
     while (stad_tune_ask(&tune, &x) == 1) {
-        apply(&x, &p);
-        cost_q20 = cost_of(&p);
+        apply(&x, best);
+        cost_q20 = cost_of(best);
         for (i = 0; i < STAD_TUNE_DIMS; i++)
             hash = hash_add(hash, (uint16_t)x.v[i], 2);
         hash = hash_add(hash, (uint32_t)cost_q20, 4);
@@ -92,6 +91,7 @@ int chain_tune(void)
             break;
     }
     stad_tune_best(&tune, &x, &cost_q20);
+    apply(&x, best);
     say("tune: cost ");
     say_dec(first_q20);
     say(" -> ");

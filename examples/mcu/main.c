@@ -32,10 +32,15 @@ int chain_agrees(const char *name, uint32_t hash, uint32_t expected)
 
 int main(void)
 {
+    stad_params params;
+    stad_rig rig;
     int good;
     say("stadimeter " STAD_VERSION "\n");
     good = chain_match();
-    good &= chain_tune();
+    good &= chain_watch();
+    good &= chain_marks(&rig);
+    good &= chain_tune(&params);
+    good &= chain_store(&params, &rig);
     say("sum: ");
     say_dec(agreed);
     say(" hashes agree, ");
