@@ -105,6 +105,10 @@ class Native:
                                         ctypes.c_void_p(base[2] + w * y), w)
         return s
 
+    @staticmethod
+    def pointer(structure):
+        return ctypes.byref(structure)
+
     def cost(self, score):
         return self.lib.stad_score_end(ctypes.byref(score))
 
