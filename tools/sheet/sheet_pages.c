@@ -127,7 +127,7 @@ static int draw_base(const stad_target *t, const sheet_paper *paper, const sheet
         draw_tag(pen, t, &t->tags[i], o);
     draw_footprints(pen, t, o);
     box(pen, o.x, o.y, t->width_mm, t->height_mm, SHEET_CUT);
-    draw_ruler(pen, o.x + t->width_mm + 2, o.y + 40);
+    draw_ruler(pen, o.x + t->width_mm + 2, paper->height_mm / 2 - 50);
     pen->text(pen->to, at(o.x, o.y - 3), 3, "base: print at 100 %, check the ruler, cut along the outline, glue to a flat board");
     return 1;
 }
@@ -233,6 +233,8 @@ static void draw_table(const stad_target *t, const sheet_pen *pen, double x, dou
     }
 }
 
+#define LOWER_ROW_MM 36 /* the second row of parts below the first, on paper */
+
 /* The finished target from the side: x to the right, height up, half scale, walls and tops of every facet. */
 static void draw_side_view(const stad_target *t, const sheet_pen *pen, double x, double y)
 {
@@ -242,16 +244,16 @@ static void draw_side_view(const stad_target *t, const sheet_pen *pen, double x,
         const stad_target_facet *f = &t->facets[i];
         double left = x + scale * f->x_mm[0], right = x + scale * f->x_mm[1];
         double low = y - scale * f->h_mm[0], high = y - scale * f->h_mm[1];
-        double row = f->y_mm[0] < t->height_mm / 2 ? 0 : 40;
+        double row = f->y_mm[0] < t->height_mm / 2 ? 0 : LOWER_ROW_MM;
         pen->line(pen->to, at(left, low + row), at(right, high + row), SHEET_CUT);
         pen->line(pen->to, at(left, low + row), at(left, y + row), SHEET_THIN);
         pen->line(pen->to, at(right, high + row), at(right, y + row), SHEET_THIN);
         if (i == 0 || t->facets[i - 1].part != f->part)
             pen->text(pen->to, at(left, y + row + 4), 2.8, t->parts[f->part]);
     }
-    pen->line(pen->to, at(x, y + 40), at(x + scale * t->width_mm, y + 40), SHEET_CUT);
+    pen->line(pen->to, at(x, y + LOWER_ROW_MM), at(x + scale * t->width_mm, y + LOWER_ROW_MM), SHEET_CUT);
     pen->text(pen->to, at(x + scale * t->width_mm + 3, y), 2.8, "seen from below, half size: upper row of parts");
-    pen->text(pen->to, at(x + scale * t->width_mm + 3, y + 40), 2.8, "lower row of parts");
+    pen->text(pen->to, at(x + scale * t->width_mm + 3, y + LOWER_ROW_MM), 2.8, "lower row of parts");
 }
 
 static void draw_guide(const stad_target *t, const sheet_pen *pen)
@@ -265,7 +267,7 @@ static void draw_guide(const stad_target *t, const sheet_pen *pen)
         pen->text(pen->to, at(x, y + 9 + 6 * (double)i), 3.4, guide[i]);
     if (t->facet_count > 0) {
         draw_table(t, pen, x, y + 76);
-        draw_side_view(t, pen, x, y + 146);
+        draw_side_view(t, pen, x, y + 144);
     }
     pen->line(pen->to, at(230, 185), at(250, 185), SHEET_CUT);
     pen->text(pen->to, at(253, 186), 3, "cut");
