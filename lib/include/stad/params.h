@@ -37,7 +37,8 @@ void stad_params_default(stad_params *p, int num_disparities);
 
 /* Does openly what OpenCV does in silence: block_size <= 0 becomes 5 (3 in 3WAY) and an even one the next odd, p1 <= 0
  * becomes 2, p2 <= 0 becomes 5 and at least p1 + 1, uniqueness < 0 becomes 10, disp12 <= 0 becomes 1, the cap becomes odd
- * and at least 15, speckle_window_size < 0 becomes 0. Returns how many fields changed. */
+ * and at least 15, speckle_window_size < 0 becomes 0. One limit of its own: p1 32767 becomes 32766, because p2 must be
+ * larger and fit too. Returns how many fields changed. */
 int stad_params_normalize(stad_params *p, int mode);
 
 /* Checks every field against the defined domain for images `width` pixels wide. STAD_OK, or STAD_E_PARAM with the name of

@@ -67,7 +67,14 @@ static int refuse(const char **culprit, const char *field)
     return STAD_E_PARAM;
 }
 
-/* int16 disparities * 16 must hold both (min_disparity - 1) * 16 and (min_disparity + num_disparities) * 16. */
+/* Which of the two makes the range too long or too far away: the count, unless it would do from disparity 0 on. */
+static const char *range_culprit(const stad_params *p, int32_t most)
+{
+    return p->num_disparities > most ? "num_disparities" : "min_disparity";
+}
+
+/* int16 disparities * 16 must hold both (min_disparity - 1) * 16 and (min_disparity + num_disparities) * 16, and at least one
+ * column, and half a block of them, must have all its right pixels in the image. */
 static int check_range(const stad_params *p, int mode, int width, const char **culprit)
 {
     const int32_t multiple = mode == STAD_MODE_3WAY ? 16 : 8;
@@ -75,10 +82,10 @@ static int check_range(const stad_params *p, int mode, int width, const char **c
     if (p->num_disparities <= 0 || p->num_disparities % multiple != 0)
         return refuse(culprit, "num_disparities");
     if (p->min_disparity < -2047 || end > 2047)
-        return refuse(culprit, "min_disparity");
+        return refuse(culprit, range_culprit(p, 2047));
     const int32_t columns = width + min_i32(p->min_disparity, 0) - max_i32(end, 0);
     if (columns < 1)
-        return refuse(culprit, "num_disparities");
+        return refuse(culprit, range_culprit(p, width - 1));
     if (p->block_size < 1 || p->block_size % 2 == 0 || columns <= p->block_size / 2)
         return refuse(culprit, "block_size");
     return STAD_OK;
