@@ -6,6 +6,7 @@
 #include "stad/calib.h"
 #include "stad/config.h"
 #include "stad/cost.h"
+#include "stad/depth.h"
 #include "stad/image.h"
 #include "stad/mark.h"
 #include "stad/match.h"
