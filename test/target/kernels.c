@@ -142,13 +142,13 @@ static int case_cost_u16(void)
 
 static int case_box(int wide, int move)
 {
-    const int32_t n = between(1, CELLS / 4), weight = between(1, 7);
+    const int32_t n = between(1, CELLS / 4), weight = between(-7, 7);
     uint16_t *in16 = (uint16_t *)words_a, *out16 = (uint16_t *)words_b;
     fill_u8(bytes_a, n, 255);
     fill_u8(bytes_b, n, 255);
     fill_i16(words_a, n, 0, 954);
     fill_i16(words_b, n, 0, 954);
-    fill_i16(words_c, n, 1000, 20000);
+    fill_i16(words_c, n, 7000, 20000);
     memcpy(mine.i16 + GUARD, words_c, 2 * (size_t)n);
     memcpy(reference.i16 + GUARD, words_c, 2 * (size_t)n);
     if (wide && move) {

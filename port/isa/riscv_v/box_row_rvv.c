@@ -25,18 +25,18 @@ void stad_box_move_row_u16_rvv(int16_t *sum, const uint16_t *in, const uint16_t 
     }
 }
 
-/* weight <= 2 * block: one byte holds it. */
+/* A weight is 1, the first row's r + 1, or -1 for a row that leaves: a signed byte holds it. */
 void stad_box_add_row_u8_rvv(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight)
 {
-    uint16_t *to = (uint16_t *)sum;
-    if (weight > 255) {
+    if (weight < INT8_MIN || weight > INT8_MAX) {
         stad_box_add_row_u8_c(sum, cost, n, weight);
         return;
     }
-    for (size_t left = (size_t)n, vl; left > 0; left -= vl, to += vl, cost += vl) {
+    for (size_t left = (size_t)n, vl; left > 0; left -= vl, sum += vl, cost += vl) {
         vl = __riscv_vsetvl_e8m4(left);
         const vuint8m4_t more = __riscv_vle8_v_u8m4(cost, vl);
-        __riscv_vse16_v_u16m8(to, __riscv_vwmaccu_vx_u16m8(__riscv_vle16_v_u16m8(to, vl), (uint8_t)weight, more, vl), vl);
+        const vint16m8_t before = __riscv_vle16_v_i16m8(sum, vl);
+        __riscv_vse16_v_i16m8(sum, __riscv_vwmaccsu_vx_i16m8(before, (int8_t)weight, more, vl), vl);
     }
 }
 
