@@ -13,4 +13,4 @@ targets=$(cmake --build "$dir" --target help | sed -n 's/^\.\.\. \(test_[a-z0-9_
 cmake --build "$dir" -j "$(nproc)" --target $targets >>"$dir.log" 2>&1 || { grep -A5 error "$dir.log" | head -n 40; exit 1; }
 cd "$dir"
 ctest -L '^(unit|kernel|property|fault)$' -R '/test_' -E 'sanitizers|valgrind|symbols|floors|tool|cross|example' \
-    --output-on-failure --timeout 600
+    -j "$(nproc)" --output-on-failure --timeout 900
