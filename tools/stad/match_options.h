@@ -6,9 +6,10 @@
 #include "../common/params_text.h"
 #include "stad/match.h"
 
+/* What getopt_long returns for them: OPT_FIELD plus the field, then these. */
+#define OPT_FIELD 0x100
 enum match_option_code {
-    OPT_FIELD = 0x100,
-    OPT_MODE = OPT_FIELD + FIELD_COUNT,
+    OPT_MODE = 0x200,
     OPT_PARAMS,
     OPT_MEMORY,
     OPT_COLOR,
