@@ -131,11 +131,11 @@ static void test_truth_mask_covers_only_what_was_before(void)
     const stad_polygon all = box_of(0, 0, 199, 59), hole = box_of(100, 0, 140, 59), island = box_of(110, 0, 120, 59);
     stad_truth_init(&t, W, 60, 0, 16, 1);
     stad_truth_add_plane(&t, &far, &all);
-    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_truth_add_mask(&t, &hole, 7));
+    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_truth_add_mask(&t, &hole));
     stad_truth_add_plane(&t, &on_top, &island);
     stad_truth_row(&t, 30, W, truth, label);
     for (int x = 16; x < 198; x++) {
-        int expected = x >= 99 - 7 && x <= 141 ? STAD_LABEL_IGNORED : STAD_LABEL_VISIBLE;
+        int expected = x >= 99 && x <= 141 ? STAD_LABEL_IGNORED : STAD_LABEL_VISIBLE;
         if (x >= 111 && x <= 119)
             expected = STAD_LABEL_OCCLUDED; /* farther than the plane behind it: hidden by that plane in the right view */
         snprintf(message, sizeof message, "x %d", x);
@@ -270,7 +270,7 @@ static void test_truth_bad_polygons_and_planes_refused(void)
     p.p[2].y_q8 = p.p[0].y_q8 + 256;
     TEST_ASSERT_EQUAL_INT(STAD_E_PARAM, stad_truth_add_plane(&t, &plane, &p));
     p = box_of(10, 10, 10 + 5000, 50);
-    TEST_ASSERT_EQUAL_INT(STAD_E_PARAM, stad_truth_add_mask(&t, &p, 0));
+    TEST_ASSERT_EQUAL_INT(STAD_E_PARAM, stad_truth_add_mask(&t, &p));
     p = box_of(10, 10, 50, 50);
     for (int i = 0; i < STAD_TRUTH_LAYERS; i++)
         TEST_ASSERT_EQUAL_INT(STAD_OK, stad_truth_add_plane(&t, &plane, &p));

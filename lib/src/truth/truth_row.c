@@ -11,9 +11,8 @@
 #include "stad/score.h"
 #include "truth/polygon.h"
 
-/* Nearer by less than HIDING_STEP hides nothing: planes that touch. UNSURE: left of a mask, so perhaps hidden by what it
- * stands for; becomes OCCLUDED where a plane is known to hide it, else IGNORED. */
-enum { HIDING_STEP_Q16 = 1 << 15, UNSURE = 255 };
+/* Nearer by less than this hides nothing: planes that touch. */
+enum { HIDING_STEP_Q16 = 1 << 15 };
 
 /* A plane cut by one row: d = a x + c, and the right positions it covers. All Q16. */
 typedef struct cut {
@@ -31,9 +30,6 @@ static void draw_mask(const stad_truth *t, const stad_truth_layer *layer, int32_
     int32_t first, last;
     if (!stad_polygon_outer(&layer->where, y, t->margin, &first, &last))
         return;
-    for (int32_t x = max_i32(first - layer->mask_left, 0); x < min_i32(first, t->width); x++)
-        if (label[x] == STAD_LABEL_VISIBLE)
-            label[x] = UNSURE;
     for (int32_t x = max_i32(first, 0); x <= min_i32(last, t->width - 1); x++) {
         truth[x] = STAD_TRUTH_NONE;
         label[x] = STAD_LABEL_IGNORED;
@@ -62,7 +58,7 @@ static cut cut_plane(const stad_truth_layer *layer, int32_t y)
 {
     cut k = {layer->plane.a_q16, line_at(layer, y), 0, 0, 0};
     int32_t low_q8, high_q8;
-    if (layer->mask_left != STAD_TRUTH_PLANE || !stad_polygon_cut(&layer->where, y, &low_q8, &high_q8))
+    if (layer->is_mask || !stad_polygon_cut(&layer->where, y, &low_q8, &high_q8))
         return k;
     /* |x| < 2^21 in Q8, |a| < 2^16: the products are below 2^37. */
     const int64_t low = (int64_t)(65536 - k.a) * low_q8 / 256 - k.c, high = (int64_t)(65536 - k.a) * high_q8 / 256 - k.c;
@@ -76,7 +72,7 @@ static cut cut_plane(const stad_truth_layer *layer, int32_t y)
 static void hide_behind(const stad_truth *t, const cut *k, const int32_t *truth, uint8_t *label)
 {
     for (int32_t x = 0; x < t->width; x++) {
-        if (label[x] == STAD_LABEL_IGNORED)
+        if (label[x] != STAD_LABEL_VISIBLE)
             continue;
         const int32_t right = x * 65536 - truth[x];
         if (right < k->right_first || right > k->right_last)
@@ -94,7 +90,7 @@ static void clip(const stad_truth *t, const int32_t *truth, uint8_t *label)
     for (int32_t x = 0; x < t->width; x++) {
         if (x < first || x > last)
             label[x] = STAD_LABEL_IGNORED;
-        if (label[x] == STAD_LABEL_IGNORED)
+        if (label[x] != STAD_LABEL_VISIBLE)
             continue;
         const int32_t right = x * 65536 - truth[x];
         if (right < 0 || right > (t->width - 1) * 65536)
@@ -112,10 +108,10 @@ int stad_truth_row(const stad_truth *t, int y, int width, int32_t *truth_q16_row
     }
     for (int32_t i = 0; i < t->count; i++) {
         const stad_truth_layer *layer = &t->layer[i];
-        if (layer->mask_left == STAD_TRUTH_PLANE)
-            draw_plane(t, layer, y, truth_q16_row, label_row);
-        else
+        if (layer->is_mask)
             draw_mask(t, layer, y, truth_q16_row, label_row);
+        else
+            draw_plane(t, layer, y, truth_q16_row, label_row);
     }
     clip(t, truth_q16_row, label_row);
     for (int32_t i = 0; i < t->count; i++) {
@@ -123,8 +119,5 @@ int stad_truth_row(const stad_truth *t, int y, int width, int32_t *truth_q16_row
         if (k.seen)
             hide_behind(t, &k, truth_q16_row, label_row);
     }
-    for (int32_t x = 0; x < width; x++)
-        if (label_row[x] == UNSURE)
-            label_row[x] = STAD_LABEL_IGNORED;
     return STAD_OK;
 }
