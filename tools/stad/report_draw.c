@@ -64,9 +64,12 @@ int report_slider(report *r, const picture *before, const picture *after, const 
     return status;
 }
 
+#define STEPS 64 /* of the colour scale */
+#define WIDTH 640
+#define TICKS 4
+
 void report_scale(report *r, int min_disparity, int num_disparities)
 {
-    enum { STEPS = 64, WIDTH = 640, TICKS = 4 };
     fprintf(r->to, "<svg class=\"scale\" viewBox=\"-20 0 %d 62\" width=\"%d\">", WIDTH + 60, WIDTH + 60);
     for (int i = 0; i < STEPS; i++) {
         uint8_t c[3];
@@ -109,7 +112,8 @@ typedef struct plot {
     int count;
 } plot;
 
-enum { PLOT_W = 640, PLOT_H = 240 };
+#define PLOT_W 640
+#define PLOT_H 240
 
 static double plot_x(const plot *p, int i)
 {

@@ -5,7 +5,8 @@
 #include "../common/colour.h"
 #include "simulate.h"
 
-enum { PLOT_W = 640, PLOT_H = 180 };
+#define PLOT_W 640
+#define PLOT_H 180
 
 static double frame_x(const simulation *s, int i)
 {
