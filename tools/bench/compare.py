@@ -3,11 +3,12 @@
 """This library and OpenCV in turn, in one loop, on one thread: the median of paired ratios of thread-CPU time.
 
     python3 tools/bench/compare.py                      every tier, mode, size and block
-    python3 tools/bench/compare.py --tier avx2 --mode sgbm --quick
+    python3 tools/bench/compare.py --tier avx2 --mode sgbm --sizes vga64
 
 A ratio above 1 says how many times faster the library is than the installed cv2. Each pair's two runs follow one another
 directly and take turns at being first, so that load and clock drift cancel. Every pair's arrays are compared once. Writes
-tools/bench/results/compare.csv (--csv FILE; - writes nothing)."""
+its rows into tools/bench/results/compare.csv after each tier, in the place of older ones of the same case, and sums up all
+that the file then holds (--csv FILE; - writes nothing)."""
 import argparse
 import csv
 import math
@@ -19,6 +20,7 @@ import time
 
 from bench_common import MODES, NARROW, ROOT, RESULTS, TIERS, WIDE, build, environment, machine, pair, parameters
 
+SIZES = {"wide": WIDE, "narrow": NARROW, "vga64": WIDE[:1]}
 FIELDS = ["tier", "mode", "width", "height", "disparities", "block", "pairs", "ratio", "low_quartile", "high_quartile",
           "ns_per_pxd", "opencv_ns_per_pxd", "small_over_fast", "opencv", "cpu", "compiler"]
 
@@ -75,8 +77,8 @@ def worker(arguments):
 
 
 def cases(arguments):
-    sizes = WIDE[:1] if arguments.quick else WIDE + NARROW
-    return [(mode, size, block) for mode in arguments.mode for size in sizes for block in ((3,) if size in NARROW else (3, 5))]
+    chosen = [size for name in arguments.sizes for size in SIZES[name]]
+    return [(mode, size, block) for mode in arguments.mode for size in chosen for block in ((3,) if size in NARROW else (3, 5))]
 
 
 def run_tier(tier, arguments, libraries):
@@ -84,7 +86,7 @@ def run_tier(tier, arguments, libraries):
     if variant not in libraries:
         libraries[variant] = build(variant, arguments.build)
     command = [sys.executable, os.path.abspath(__file__), "--worker", tier, "--seconds", str(arguments.seconds), "--mode",
-               *arguments.mode] + (["--quick"] if arguments.quick else [])
+               *arguments.mode, "--sizes", *arguments.sizes]
     rows = []
     with subprocess.Popen(command, env=environment(libraries[variant], isa), stdout=subprocess.PIPE, text=True) as process:
         for line in process.stdout:
@@ -100,8 +102,22 @@ def run_tier(tier, arguments, libraries):
     return rows
 
 
+def merge(path, rows):
+    """The rows of the file, older ones of the same case replaced; writes them unless path is -."""
+    kept = {}
+    if path != "-" and os.path.exists(path):
+        with open(path, newline="", encoding="utf-8") as old:
+            kept = {tuple(row[:6]): row for row in list(csv.reader(old))[1:]}
+    kept.update({tuple(row[:6]): row for row in rows})
+    if path != "-":
+        os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+        with open(path, "w", newline="", encoding="utf-8") as out:
+            csv.writer(out, lineterminator="\n").writerows([FIELDS, *kept.values()])
+    return list(kept.values())
+
+
 def geometric(values):
-    return math.exp(sum(map(math.log, values)) / len(values)) if values else float("nan")
+    return math.exp(sum(map(math.log, values)) / len(values))
 
 
 def summary(rows):
@@ -112,7 +128,8 @@ def summary(rows):
             found = [[float(r[7]) for r in rows if r[0] == tier and r[1] == mode and r[5] in blocks and
                       tuple(map(int, r[2:5])) in sizes] for mode in MODES]
             if any(found):
-                print(f"{name:13}" + "".join(f"{geometric(values):>8.2f}x" for values in found))
+                whole = [values if len(values) == len(sizes) * len(blocks) else [] for values in found]
+                print(f"{name:13}" + "".join(f"{geometric(values):>8.2f}x" if values else f"{'-':>9}" for values in whole))
 
 
 def main():
@@ -120,7 +137,7 @@ def main():
     parser.add_argument("--tier", nargs="+", choices=list(TIERS), default=list(TIERS))
     parser.add_argument("--mode", nargs="+", choices=list(MODES), default=list(MODES))
     parser.add_argument("--seconds", type=float, default=1.5, help="least time for each row's pairs (1.5)")
-    parser.add_argument("--quick", action="store_true", help="VGA D64 alone")
+    parser.add_argument("--sizes", nargs="+", choices=list(SIZES), default=["wide", "narrow"])
     parser.add_argument("--build", default=os.path.join(ROOT, "build/bench"), help="folder for the builds (build/bench)")
     parser.add_argument("--csv", default=os.path.join(RESULTS, "compare.csv"))
     parser.add_argument("--worker", help=argparse.SUPPRESS)
@@ -132,13 +149,9 @@ def main():
     libraries, rows = {}, []
     for tier in arguments.tier:
         rows += [row + [cpu, compiler] for row in run_tier(tier, arguments, libraries)]
-    if rows:
-        print(f"against OpenCV {rows[0][13]}", end="")
-    summary(rows)
-    if arguments.csv != "-":
-        os.makedirs(os.path.dirname(os.path.abspath(arguments.csv)), exist_ok=True)
-        with open(arguments.csv, "w", newline="", encoding="utf-8") as out:
-            csv.writer(out, lineterminator="\n").writerows([FIELDS, *rows])
+        told = merge(arguments.csv, rows)
+    print("against OpenCV " + ", ".join(sorted({row[13] for row in told})), end="")
+    summary(told)
     return 0
 
 
