@@ -8,11 +8,13 @@
 
 #include "stad/score.h"
 
-int trial_read(trial_scene *s, const char *left, const char *right, const char *truth, const char *mask, int disparities, tool_fail *f)
+int trial_read(trial_scene *s, const char *left, const char *right, const char *truth, const char *mask,
+               int disparities, tool_fail *f)
 {
     if (engine_read_pair(&s->left, &s->right, left, right, 0, f) != TOOL_OK)
         return f->status;
-    if (truth_read(&s->truth, truth, 0, 0, f) != TOOL_OK || (mask && truth_mask(&s->truth, mask, f) != TOOL_OK))
+    if (truth_read(&s->truth, truth, 0, 0, f) != TOOL_OK ||
+        (mask && truth_mask(&s->truth, mask, f) != TOOL_OK))
         return f->status;
     s->width = s->left.width;
     s->height = s->left.height;
@@ -123,7 +125,8 @@ void trial_compose(trial_frame *out, const trial_scene *s, int which, int kind, 
     }
 }
 
-double trial_bad(engine *e, const trial_scene *s, const trial_frame *frame, const stad_params *p, int32_t *cost)
+double trial_bad(engine *e, const trial_scene *s, const trial_frame *frame, const stad_params *p,
+                 int32_t *cost)
 {
     tool_fail f = {0, ""};
     disparity d;
@@ -135,7 +138,8 @@ double trial_bad(engine *e, const trial_scene *s, const trial_frame *frame, cons
     stad_score_config_init(&config, STAD_SCORE_BAD, p->min_disparity, p->num_disparities);
     stad_score_begin(&score, &config);
     for (int y = 0; y < s->height; y++)
-        stad_score_row(&score, y, d.q4 + (ptrdiff_t)y * s->width, s->truth.q16 + (ptrdiff_t)y * s->width, frame->rest + (ptrdiff_t)y * s->width, s->width);
+        stad_score_row(&score, y, d.q4 + (ptrdiff_t)y * s->width, s->truth.q16 + (ptrdiff_t)y * s->width,
+                       frame->rest + (ptrdiff_t)y * s->width, s->width);
     disparity_free(&d);
     const int32_t q20 = stad_score_end(&score);
     if (cost)
