@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * stad/calib.h - the loop: frames with marks -> rig -> truth -> preset, tune -> better on another pose? -> adopt, store, watch.
+ * stad/calib.h - the loop: frames with marks -> rig -> truth -> preset, tune -> better on another pose? -> adopt,
+ * store, watch.
  *
  * The application drives. stad_calib_want() says what is needed next; the application does it when it has the time, and reports; no call
  * blocks, calls back or does more than one frame's work:
@@ -14,17 +15,18 @@
  *     case STAD_WANT_SAVE:    stad_calib_saved(&c, stad_store_save(&flash, stad_calib_setup(&c))); break;
  *     }
  *
- * A run:   look for marks (alarm, schedule or stad_calib_start) -> tuning frame -> a frame of another pose to judge by -> correction
- * confirmed on fresh frames, if the rig needs one -> the target picks a preset -> ncg from there -> the judge decides ->
- * save -> probation: live frames, then both sets on one more frame with marks -> done, or rolled back.
+ * A run:   look for marks (alarm, schedule or stad_calib_start) -> tuning frame -> a frame of another pose to judge
+ * by -> correction confirmed on fresh frames, if the rig needs one -> the target picks a preset -> ncg from there ->
+ * the judge decides -> save -> probation: live frames, then both sets on one more frame with marks -> done, or rolled
+ * back.
  *
- * Nothing is adopted that did not hold on a frame it was not made from. The set in use (stad_calib_setup) changes at two points only:
- * when the decision is made, just before SAVE is asked for, and when it is rolled back.
+ * Nothing is adopted that did not hold on a frame it was not made from. The set in use (stad_calib_setup) changes at
+ * two points only: when the decision is made, just before SAVE is asked for, and when it is rolled back.
  *
- * Memory: one struct of less than 10 KB, the workspace of the caller, and two held frame pairs (at least the crop r.box of them). After a
- * reset call stad_calib_init() with the setup that stad_store_load() found: a run that was under way starts over. A struct
- * that survived the reset in retained memory together with the held frames goes on where it was: it holds no pointer but
- * config.target, a constant table.
+ * Memory: one struct of less than 10 KB, the workspace of the caller, and two held frame pairs (at least the crop
+ * r.box of them). After a reset call stad_calib_init() with the setup that stad_store_load() found: a run that was
+ * under way starts over. A struct that survived the reset in retained memory together with the held frames goes on
+ * where it was: it holds no pointer but config.target, a constant table.
  *
  * Why each step is as it is: docs/CALIBRATION.md. Not re-entrant on one struct. */
 #ifndef STAD_CALIB_H
@@ -48,7 +50,7 @@
 extern "C" {
 #endif
 
-/* -- what is asked for ------------------------------------------------------------------------------------------------- */
+/* -- what is asked for ------------------------------------------------------------------------------------------- */
 
 enum stad_want {
     STAD_WANT_NOTHING = 0,
@@ -65,7 +67,7 @@ typedef struct stad_request {
     stad_rig rig;       /* MATCH: the correction to apply to the right frame first; the identity = none */
 } stad_request;
 
-/* -- what it is told to do ---------------------------------------------------------------------------------------------- */
+/* -- what it is told to do --------------------------------------------------------------------------------------- */
 
 enum stad_rule {
     STAD_RULE_DEFAULT = 0, /* tuned: better on the other pose by the margin; a preset: not worse there */
@@ -97,7 +99,7 @@ typedef struct stad_calib_config {
     uint8_t still;            /* 1: identical frames in a row are no fault (recordings without noise); default 0 */
 } stad_calib_config;
 
-/* -- what it says --------------------------------------------------------------------------------------------------------- */
+/* -- what it says ------------------------------------------------------------------------------------------------ */
 
 enum stad_calib_phase {
     STAD_CALIB_IDLE = 0,
@@ -159,7 +161,7 @@ typedef struct stad_calib_report {
     stad_rig_report rig;                       /* of the last fit */
 } stad_calib_report;
 
-/* -- state ----------------------------------------------------------------------------------------------------------------- */
+/* -- state ------------------------------------------------------------------------------------------------------- */
 
 #define STAD_CALIB_PAIRS 8  /* of a frame */
 #define STAD_CALIB_POOL  16 /* of the fresh frames that confirm a correction: four frames with four marks */
@@ -205,8 +207,8 @@ typedef struct stad_calib {
 void stad_calib_config_default(stad_calib_config *c, const stad_geometry *geometry, const stad_target *target,
                                const stad_camera *camera);
 
-/* Starts with `setup`, what stad_store_load() found, in use. STAD_E_PARAM: config or setup out of range, or not of one
- * geometry. The setup's own min_disparity, num_disparities and speckle parameters are never changed. */
+/* Starts with `setup`, what stad_store_load() found, in use. STAD_E_PARAM: config or setup out of range, or not of
+ * one geometry. The setup's own min_disparity, num_disparities and speckle parameters are never changed. */
 int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_setup *setup);
 
 /* One live frame's counters, matched with the setup in use. Returns the monitor's answer. */
@@ -226,13 +228,13 @@ int stad_calib_want(const stad_calib *c, stad_request *r);
 #define STAD_CALIB_SCRATCH 4608u /* marks and pairs of a frame, and copies of the pairs of several */
 size_t stad_calib_frame_bytes(int32_t width, int32_t height);
 
-/* A fresh raw pair. `left` or `right` NULL: it did not come in time. Returns 1: hold the pair in buffer r.hold; 0: used up or
- * not needed, go on; a negative status: of no use, report.fault says why, and a frame of patience is gone. STAD_E_STATE: no
- * frame was wanted; STAD_E_SIZE: the workspace. */
+/* A fresh raw pair. `left` or `right` NULL: it did not come in time. Returns 1: hold the pair in buffer r.hold; 0:
+ * used up or not needed, go on; a negative status: of no use, report.fault says why, and a frame of patience is gone.
+ * STAD_E_STATE: no frame was wanted; STAD_E_SIZE: the workspace. */
 int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work, size_t work_bytes);
 
-/* One row of truth and labels of the crop that a MATCH request is about, for a firmware that matches and scores by itself. y counts
- * from the top of the crop; arrays of box.width. */
+/* One row of truth and labels of the crop that a MATCH request is about, for a firmware that matches and scores by
+ * itself. y counts from the top of the crop; arrays of box.width. */
 int stad_calib_truth_row(const stad_calib *c, const stad_request *r, int y, int32_t *truth_q16_row, uint8_t *label_row);
 
 /* The score config to go with it. */
@@ -241,7 +243,8 @@ void stad_calib_score_config(const stad_calib *c, const stad_request *r, stad_sc
 /* The cost that MATCH asked for; STAD_COST_FAILED when it could not be had. STAD_E_STATE: none was asked for. */
 int stad_calib_cost(stad_calib *c, int32_t cost_q20);
 
-/* How the save ended: a status; negative means that it will be asked for once more, then given up (the set stays in use). */
+/* How the save ended: a status; negative means that it will be asked for once more, then given up (the set stays in
+ * use). */
 int stad_calib_saved(stad_calib *c, int status);
 
 /* What to run the live matcher with, and what to store. Valid until the next call that changes *c. */
@@ -250,12 +253,13 @@ const stad_setup *stad_calib_setup(const stad_calib *c);
 /* Where it stands. */
 const stad_calib_report *stad_calib_report_of(const stad_calib *c);
 
-/* -- presets: where a run starts, by the regime the camera is in ----------------------------------------------------------- */
+/* -- presets: where a run starts, by the regime the camera is in ------------------------------------------------- */
 
-/* Preset i, 0..STAD_PRESETS - 1, as a tuner's point for images of that many channels, and its name. STAD_E_PARAM past the end. */
+/* Preset i, 0..STAD_PRESETS - 1, as a tuner's point for images of that many channels, and its name. STAD_E_PARAM past
+ * the end. */
 int stad_calib_preset(int i, int channels, stad_point *point, const char **name);
 
-/* -- the one evaluation, done for you ---------------------------------------------------------------------------------------- */
+/* -- the one evaluation, done for you ---------------------------------------------------------------------------- */
 
 typedef struct stad_evaluator {
     stad_match match;
@@ -267,7 +271,8 @@ typedef struct stad_evaluator {
     (((size_t)(width) * (7u + 2u * (size_t)(channels)) + STAD_ALIGN - 1u) / STAD_ALIGN * STAD_ALIGN)
 size_t stad_calib_evaluate_bytes(const stad_geometry *geometry);
 
-/* Matches the crop of a MATCH request on a held raw pair and scores it against the truth: the cost, or STAD_COST_FAILED. */
+/* Matches the crop of a MATCH request on a held raw pair and scores it against the truth: the cost, or
+ * STAD_COST_FAILED. */
 int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e, const stad_image *left,
                             const stad_image *right, void *work, size_t work_bytes);
 

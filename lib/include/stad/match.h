@@ -64,8 +64,6 @@ enum stad_match_option {
     STAD_MATCH_CONFIDENCE = 2 /* compute the confidence rows that stad_match_pull_all() hands out */
 };
 
-struct stad_match_impl; /* private layout: match/match.h */
-
 /* A matcher. Declare it where you like; the field is private. */
 typedef struct stad_match {
     uint64_t opaque[STAD_MATCH_WORDS];
@@ -78,7 +76,8 @@ size_t stad_match_bytes(const stad_geometry *g);
 /* The i-th part of the workspace: its bytes, and its name in *name; 0 and NULL past the last one. */
 size_t stad_match_part(const stad_geometry *g, int i, const char **name);
 
-/* Checks a geometry. STAD_OK, or STAD_E_PARAM with the offending field's name in *culprit (may be NULL). */
+/* Checks a geometry. STAD_OK, or STAD_E_PARAM with the offending field's name in *culprit (may be NULL); "height" also when
+ * the workspace might not fit a 32-bit size_t. */
 int stad_geometry_check(const stad_geometry *g, const char **culprit);
 
 /* Binds a matcher to its workspace. STAD_E_PARAM: bad geometry; STAD_E_SIZE: `work` is NULL, misaligned or too small. The
@@ -110,8 +109,8 @@ int stad_match_pull(stad_match *m, int16_t *disp_q4_row);
 int stad_match_pull_all(stad_match *m, int16_t *disp_q4_row, uint8_t *confidence, int16_t *right_q4);
 
 /* A whole frame through the loop above, then the speckle filter if the parameters ask for it. `disp_stride` counts int16
- * elements. `speckle_work`: STAD_SPECKLE_BYTES(width, height) aligned to STAD_ALIGN, or NULL when speckle_window_size is 0.
- * STAD_E_SIZE: an image or the speckle workspace does not fit the geometry. */
+ * elements. `speckle_work`: STAD_SPECKLE_BYTES(width, height) aligned for int32_t, or NULL when speckle_window_size is 0.
+ * STAD_E_SIZE: an image or the speckle workspace does not fit the geometry; nothing is written. */
 int stad_match_frame(stad_match *m, const stad_params *p, const stad_image *left, const stad_image *right, int16_t *disp_q4,
                      ptrdiff_t disp_stride, void *speckle_work, size_t speckle_bytes);
 

@@ -2,8 +2,8 @@
  * stad/match_bytes.h - the matcher's workspace as an integer constant expression, part by part.
  *
  * STAD_MATCH_BYTES(width, height, channels, max_disp, max_block, max_p2, max_cap, mode, memory) is what a static array
- * needs; match/plan.c lays the same parts out in the same order. docs/MEMORY.md draws them. Every macro takes the whole
- * geometry G as one parenthesised list, so that the parts can share their terms; all arithmetic is in size_t. */
+ * needs; match/plan.c lays the same parts out in the same order. docs/MEMORY.md draws them. All arithmetic is in the type of
+ * the arguments, which STAD_MATCH_BYTES() and plan.c make size_t. */
 #ifndef STAD_MATCH_BYTES_H
 #define STAD_MATCH_BYTES_H
 

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * stad/monitor.h - has the depth map got worse? Two counters a frame, a few words of state.
  *
- * The statistic is the share of considered pixels whose best cost beats every rival by 25 percent ("firm"): the selection
- * kernel counts it anyway (stad_match_counts). A one-sided CUSUM watches it fall. Density, left-right failures and texture
- * were tried in its place: weaker, or alarmed falsely.
+ * The statistic is the share of considered pixels whose best cost beats every rival by 25 percent ("firm"): the
+ * selection kernel counts it anyway (stad_match_counts). A one-sided CUSUM watches it fall. Density, left-right
+ * failures and texture were tried in its place: weaker, or alarmed falsely.
  *
- * What no match statistic can see: a small row offset, a small roll, a constant shift in x. Hence the second half: every
- * mark_every-th frame stad_monitor_look_due() says that marks should be looked for, whatever the statistic says.
+ * What no match statistic can see: a small row offset, a small roll, a constant shift in x. Hence the second half:
+ * every mark_every-th frame stad_monitor_look_due() says that marks should be looked for, whatever the statistic
+ * says.
  *
  * DEGRADED asks for a recalibration and does nothing else. Source: docs/CALIBRATION.md, "Trigger". */
 #ifndef STAD_MONITOR_H
@@ -60,8 +61,9 @@ int stad_monitor_init(stad_monitor *m, const stad_monitor_config *config);
 /* Forgets what is usual and learns again: call it when parameters, correction or the scene's kind have changed. */
 void stad_monitor_restart(stad_monitor *m);
 
-/* One frame's counters. Returns enum stad_monitor_state, or STAD_E_PARAM when the counters are impossible (none considered,
- * more firm than considered): such a frame teaches nothing, but still counts for the schedule of marks. */
+/* One frame's counters. Returns enum stad_monitor_state, or STAD_E_PARAM when the counters are impossible (none
+ * considered, more firm than considered): such a frame teaches nothing, but still counts for the schedule of marks.
+ * */
 int stad_monitor_frame(stad_monitor *m, const stad_match_counts *counts);
 
 /* 1 when it is time to look for marks; stad_monitor_looked() starts the wait anew. */

@@ -6,8 +6,8 @@
  *     0 magic "STAD"   4 version u16   6 bytes u16   8 sequence u32   12 fields ...   last 4: CRC-32 of all before
  *
  * little-endian whatever the machine; docs/STORE.md lists the fields. The newest good record wins; a slot that holds the only good
- * record is never erased, and a record is read back before the save is called done. Cut anywhere, a load finds the old set
- * or the new one.
+ * record is never erased, and a record is read back before the save is called done. Cut anywhere, a load finds the
+ * old set or the new one.
  *
  * Flash is reached through three functions of the caller's; nothing is kept between calls, nothing allocated. Not for two
  * tasks at once on the same slots. */
@@ -44,8 +44,8 @@ typedef struct stad_setup {
 /* Packs a setup into out[STAD_SETUP_BYTES]. */
 void stad_setup_pack(const stad_setup *setup, uint32_t sequence, uint8_t *out);
 
-/* The reverse, from n bytes that nobody vouches for. STAD_E_CORRUPT: too short, wrong magic, length or CRC, an unknown version, or
- * a field outside its domain; `setup` and `sequence` are then untouched. */
+/* The reverse, from n bytes that nobody vouches for. STAD_E_CORRUPT: too short, wrong magic, length or CRC, an
+ * unknown version, or a field outside its domain; `setup` and `sequence` are then untouched. */
 int stad_setup_unpack(const uint8_t *bytes, size_t n, stad_setup *setup, uint32_t *sequence);
 
 /* STAD_OK, or STAD_E_PARAM when a field is outside its domain: what pack refuses to check and save and unpack do. */
@@ -53,8 +53,8 @@ int stad_setup_check(const stad_setup *setup);
 
 enum stad_slot { STAD_SLOT_A = 0, STAD_SLOT_B = 1, STAD_SLOT_FACTORY = 2 };
 
-/* The caller's flash. Offsets are his own; each slot is one sector. A function returns 0, or anything else for a failure:
- * a failed read leaves the slot neither good nor bad, so it is not erased. */
+/* The caller's flash. Offsets are his own; each slot is one sector. A function returns 0, or anything else for a
+ * failure: a failed read leaves the slot neither good nor bad, so it is not erased. */
 typedef struct stad_flash {
     int (*read)(void *user, uint32_t offset, void *bytes, uint32_t count);
     int (*program)(void *user, uint32_t offset, const void *bytes, uint32_t count); /* count: a multiple of the granule */
@@ -65,17 +65,17 @@ typedef struct stad_flash {
     uint32_t program_bytes;   /* program granule: a power of two, 1..64 */
 } stad_flash;
 
-/* Reads the newest good setup, else the factory's. Returns the slot (enum stad_slot) it came from; STAD_E_CORRUPT: no slot holds a
- * good one, `setup` is untouched; STAD_E_PARAM: the flash is described wrongly. */
+/* Reads the newest good setup, else the factory's. Returns the slot (enum stad_slot) it came from; STAD_E_CORRUPT: no
+ * slot holds a good one, `setup` is untouched; STAD_E_PARAM: the flash is described wrongly. */
 int stad_store_load(const stad_flash *flash, stad_setup *setup);
 
 /* Reads one slot only. */
 int stad_store_load_slot(const stad_flash *flash, int slot, stad_setup *setup);
 
-/* Writes a setup to the slot that is not the newest good one. Returns that slot when it reads back as written. STAD_E_PARAM: the setup or the
- * flash is outside its domain; STAD_E_CORRUPT: the flash would not take it (a load still finds what it found before, or, if only
- * the reading back failed, the new one); STAD_E_STATE: no slot may be erased, for none could be read. Worst case: six reads, two
- * erases, two programs. */
+/* Writes a setup to the slot that is not the newest good one. Returns that slot when it reads back as written.
+ * STAD_E_PARAM: the setup or the flash is outside its domain; STAD_E_CORRUPT: the flash would not take it (a load
+ * still finds what it found before, or, if only the reading back failed, the new one); STAD_E_STATE: no slot may be
+ * erased, for none could be read. Worst case: six reads, two erases, two programs. */
 int stad_store_save(const stad_flash *flash, const stad_setup *setup);
 
 /* Writes the factory slot, once: STAD_E_STATE when it holds a good setup already. */

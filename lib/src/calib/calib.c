@@ -76,7 +76,7 @@ int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_s
     return stad_monitor_init(&c->monitor, &config->monitor);
 }
 
-/* -- beginning and ending ------------------------------------------------------------------------------------------------------ */
+/* -- beginning and ending ---------------------------------------------------------------------------------------- */
 
 void stad_calib_enter(stad_calib *c, int phase)
 {
@@ -130,7 +130,8 @@ static int change_outcome(const stad_calib *c)
 {
     if (!same(&c->active.params, &c->previous.params, sizeof c->active.params))
         return STAD_CALIB_ADOPTED;
-    return same(&c->active.rig, &c->previous.rig, sizeof c->active.rig) ? STAD_CALIB_KEPT : STAD_CALIB_CORRECTED;
+    return same(&c->active.rig, &c->previous.rig, sizeof c->active.rig) ? STAD_CALIB_KEPT
+                                                                        : STAD_CALIB_CORRECTED;
 }
 
 void stad_calib_adopt(stad_calib *c)
@@ -176,7 +177,7 @@ int stad_calib_saved(stad_calib *c, int status)
     return STAD_OK;
 }
 
-/* -- live frames ------------------------------------------------------------------------------------------------------------------ */
+/* -- live frames ------------------------------------------------------------------------------------------------- */
 
 static void probation_frame(stad_calib *c, int state)
 {
@@ -202,7 +203,7 @@ int stad_calib_counts(stad_calib *c, const stad_match_counts *counts)
     return state;
 }
 
-/* -- asking ------------------------------------------------------------------------------------------------------------------------- */
+/* -- asking ------------------------------------------------------------------------------------------------------ */
 
 static void want_match(const stad_calib *c, stad_request *r)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * frames -> marks -> rig -> [COLLECT] -> truth -> trial        calib/collect.c - what a raw frame is good for, by phase
+ * frames -> marks -> rig -> [COLLECT] -> truth -> trial        calib/collect.c - what a raw frame is good for, by
+ * phase
  *
  * Pairs are kept as found in the raw frames: a correction is always fitted on raw corners, and truth always made from
  * straightened ones. */
@@ -12,12 +13,13 @@
 /* What a frame's marks need while they are looked at; lies at the front of the caller's workspace. */
 typedef struct scratch {
     stad_mark left[MARKS], right[MARKS];
-    stad_pair pairs[STAD_CALIB_PAIRS]; /* of this frame */
+    stad_pair pairs[STAD_CALIB_PAIRS];    /* of this frame */
     stad_pair room[5 * STAD_CALIB_PAIRS]; /* for copies to straighten or string together */
     int32_t count;
 } scratch;
 
-typedef char scratch_fits[sizeof(scratch) <= STAD_CALIB_SCRATCH && STAD_CALIB_SCRATCH % STAD_ALIGN == 0 ? 1 : -1];
+typedef char
+    scratch_fits[sizeof(scratch) <= STAD_CALIB_SCRATCH && STAD_CALIB_SCRATCH % STAD_ALIGN == 0 ? 1 : -1];
 
 size_t stad_calib_frame_bytes(int32_t width, int32_t height)
 {
@@ -25,7 +27,7 @@ size_t stad_calib_frame_bytes(int32_t width, int32_t height)
     return marks > 0 ? marks + STAD_CALIB_SCRATCH : 0;
 }
 
-/* -- seeing: from pixels to pairs ------------------------------------------------------------------------------------------ */
+/* -- seeing: from pixels to pairs -------------------------------------------------------------------------------- */
 
 static int size_fits(const stad_calib *c, const stad_image *image)
 {
@@ -48,7 +50,8 @@ static int pairs_are_swapped(const stad_pair *pairs, int count, int min_disparit
     return 2 * behind > count;
 }
 
-static int find_pairs(stad_calib *c, const stad_image *left, const stad_image *right, scratch *s, size_t work_bytes)
+static int find_pairs(stad_calib *c, const stad_image *left, const stad_image *right, scratch *s,
+                      size_t work_bytes)
 {
     uint8_t *work = (uint8_t *)s + STAD_CALIB_SCRATCH;
     size_t bytes = work_bytes - STAD_CALIB_SCRATCH;
@@ -77,10 +80,11 @@ static int see(stad_calib *c, const stad_image *left, const stad_image *right, s
     return fault != STAD_FAULT_NONE ? fault : find_pairs(c, left, right, s, work_bytes);
 }
 
-/* -- the rig ------------------------------------------------------------------------------------------------------------------- */
+/* -- the rig ----------------------------------------------------------------------------------------------------- */
 
 /* What is left of the rows' disagreement of `count` raw pairs with a correction applied; `room` for as many. */
-static int verdict_with(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room, stad_rig_report *report)
+static int verdict_with(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room,
+                        stad_rig_report *report)
 {
     stad_rig rest;
     memcpy(room, pairs, (size_t)count * sizeof *room);
@@ -118,7 +122,7 @@ static int rig_is_new(const stad_calib *c)
     return memcmp(&c->candidate.rig, &c->active.rig, sizeof c->active.rig) != 0;
 }
 
-/* -- truth --------------------------------------------------------------------------------------------------------------------- */
+/* -- truth ------------------------------------------------------------------------------------------------------- */
 
 /* Marks beyond what the matcher searches, the corners of every pair. */
 static int out_of_range(const stad_params *p, const stad_pair *pairs, int count)
@@ -141,7 +145,8 @@ static int make_truth(const stad_calib *c, stad_calib_pose *pose, const stad_rig
     stad_rig_straighten(rig, straight, pose->count);
     if (out_of_range(p, straight, pose->count))
         return STAD_FAULT_RANGE;
-    if (stad_truth_init(&pose->truth, g->width, g->height, p->min_disparity, p->num_disparities, c->config.margin_px) != STAD_OK)
+    if (stad_truth_init(&pose->truth, g->width, g->height, p->min_disparity, p->num_disparities,
+                        c->config.margin_px) != STAD_OK)
         return STAD_FAULT_MARKS;
     if (stad_truth_from_target(&pose->truth, c->config.target, straight, pose->count, &c->config.camera) < 0)
         return STAD_FAULT_MARKS;
@@ -159,7 +164,7 @@ static int keep_pose(stad_calib *c, const stad_rig *rig, scratch *s)
     return make_truth(c, pose, rig, s->room);
 }
 
-/* -- the phases ------------------------------------------------------------------------------------------------------------------ */
+/* -- the phases -------------------------------------------------------------------------------------------------- */
 
 static int look(stad_calib *c, scratch *s)
 {
@@ -189,7 +194,8 @@ static int32_t distance_q8(stad_corner a, stad_corner b)
     return dx > dy ? dx : dy;
 }
 
-/* Mean move of the corners that both frames show, in the left view; a frame that shares no mark is another pose for certain. */
+/* Mean move of the corners that both frames show, in the left view; a frame that shares no mark is another pose for
+ * certain. */
 static int is_another_pose(const stad_calib *c, const scratch *s)
 {
     const stad_calib_pose *was = &c->pose[0];
@@ -248,8 +254,8 @@ static void confirmed(stad_calib *c, int verdict)
     stad_calib_adopt(c);
 }
 
-/* Fresh frames are pooled until they are as many as the noise of corners asks for. Not GOOD at first: fit once more with them,
- * and ask fresh ones again. */
+/* Fresh frames are pooled until they are as many as the noise of corners asks for. Not GOOD at first: fit once more
+ * with them, and ask fresh ones again. */
 static int confirm(stad_calib *c, scratch *s)
 {
     stad_rig_report rest;
@@ -259,7 +265,8 @@ static int confirm(stad_calib *c, scratch *s)
         return STAD_FAULT_NONE;
     int verdict = verdict_with(&c->candidate.rig, c->pool, c->pooled, s->room, &rest);
     int fault = STAD_FAULT_NONE;
-    if (verdict == STAD_RIG_GOOD || (c->step > 0 && verdict == STAD_RIG_WATCH && verdict < c->report.verdict_before))
+    if (verdict == STAD_RIG_GOOD ||
+        (c->step > 0 && verdict == STAD_RIG_WATCH && verdict < c->report.verdict_before))
         confirmed(c, verdict);
     else if (c->step == 0)
         fault = refit(c, s);
@@ -349,7 +356,8 @@ static int status_of(int fault)
     return fault == STAD_FAULT_SIZE ? STAD_E_SIZE : STAD_E_CORRUPT;
 }
 
-int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work, size_t work_bytes)
+int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work,
+                     size_t work_bytes)
 {
     stad_request wanted;
     size_t need = stad_calib_frame_bytes(c->config.geometry.width, c->config.geometry.height);

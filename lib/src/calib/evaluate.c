@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT
- * request -> match -> score -> [EVALUATE] -> cost        calib/evaluate.c - one evaluation: the crop of a held pair, row by row
+ * request -> match -> score -> [EVALUATE] -> cost        calib/evaluate.c - one evaluation: the crop of a held pair,
+ * row by row
  *
- * Optional: a firmware with a matcher of its own, on another core or in hardware, needs only the two calls at the top. */
+ * Optional: a firmware with a matcher of its own, on another core or in hardware, needs only the two calls at the
+ * top. */
 #include "calib/calib_parts.h"
 
 #include <string.h>
 
-int stad_calib_truth_row(const stad_calib *c, const stad_request *r, int y, int32_t *truth_q16_row, uint8_t *label_row)
+int stad_calib_truth_row(const stad_calib *c, const stad_request *r, int y, int32_t *truth_q16_row,
+                         uint8_t *label_row)
 {
     const stad_calib_pose *pose = &c->pose[r->hold & 1];
     return stad_truth_row(&pose->truth, y, pose->box.width, truth_q16_row, label_row);
@@ -58,7 +61,8 @@ static int begin(const stad_calib *c, const stad_request *r, stad_evaluator *e, 
     g.width = r->box.width;
     g.height = r->box.height;
     stad_calib_score_config(c, r, &config);
-    return stad_match_init(&e->match, &g, work, bytes) == STAD_OK && stad_match_begin(&e->match, &r->params) == STAD_OK &&
+    return stad_match_init(&e->match, &g, work, bytes) == STAD_OK &&
+           stad_match_begin(&e->match, &r->params) == STAD_OK &&
            stad_score_begin(&e->score, &config) == STAD_OK;
 }
 
@@ -73,7 +77,8 @@ static int drain(const stad_calib *c, const stad_request *r, stad_evaluator *e, 
     return y;
 }
 
-static int feed(const stad_request *r, stad_evaluator *e, const rows *row, const stad_image *left, const stad_image *right, int y)
+static int feed(const stad_request *r, stad_evaluator *e, const rows *row, const stad_image *left,
+                const stad_image *right, int y)
 {
     ptrdiff_t skip = (ptrdiff_t)r->box.x * left->channels;
     pack_row(left, r->box.y + y, row->left);
@@ -87,8 +92,8 @@ static int sizes_fit(const stad_geometry *g, const stad_image *image)
     return image->width == g->width && image->height == g->height && image->channels == g->channels;
 }
 
-int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e, const stad_image *left,
-                            const stad_image *right, void *work, size_t work_bytes)
+int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e,
+                            const stad_image *left, const stad_image *right, void *work, size_t work_bytes)
 {
     const stad_geometry *g = &c->config.geometry;
     size_t rows_bytes = STAD_CALIB_ROWS_BYTES(g->width, g->channels);

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * frame -> [HEALTH] -> marks        calib/health.c - black, white, blank or frozen views are not looked at further
  *
- * Every fourth pixel of every fourth row: 1,200 samples at 320 x 240 / 16. A live sensor never gives the same samples twice. */
+ * Every fourth pixel of every fourth row: 1,200 samples at 320 x 240 / 16. A live sensor never gives the same samples
+ * twice. */
 #include "calib/calib_parts.h"
 
-#define GRID      4
-#define DARK      24  /* nothing brighter: a mark needs 20 grey levels of contrast to be found */
-#define CONTRAST  24
-#define WHITE     250
+#define GRID     4
+#define DARK     24 /* nothing brighter: a mark needs 20 grey levels of contrast to be found */
+#define CONTRAST 24
+#define WHITE    250
 
 typedef struct samples {
     int32_t count, white;

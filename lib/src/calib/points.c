@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * params <-> [POINT] <-> tune        calib/points.c - parameters as the tuner's points, within what the matcher affords */
+ * params <-> [POINT] <-> tune        calib/points.c - parameters as the tuner's points, within what the matcher
+ * affords */
 #include "calib/calib_parts.h"
 
 #include <string.h>

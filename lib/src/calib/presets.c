@@ -1,24 +1,23 @@
 /* SPDX-License-Identifier: MIT
- * [PRESETS] -> pick -> tune        calib/presets.c - where a run may start: one set for each regime a camera gets into
+ * [PRESETS] -> pick -> tune        calib/presets.c - where a run may start: one set for each regime a camera gets
+ * into
  *
- * Derived by tools/study/presets/run.py: ncg with full truth over seven scenes at once, under one degradation each, and of those nine
- * sets the seven that together leave the least. 72 % of the sample parameters' bad pixels are left, on the mean of the eight degradations,
- * when each gets its best. The handicaps by tools/study/presets/handicap.py: large penalties and blocks help the target more than
- * what stands around it. */
+ * Derived by tools/study/presets/run.py: ncg with full truth over seven scenes at once, under one degradation each,
+ * and of those nine sets the seven that together leave the least. 72 % of the sample parameters' bad pixels are left,
+ * on the mean of the eight degradations, when each gets its best. The handicaps by tools/study/presets/handicap.py:
+ * large penalties and blocks help the target more than what stands around it. */
 #include "calib/calib_parts.h"
 
-/* P1, P2, block, uniqueness, cap, disp12 for one channel; and by how much (cost + 1 point) is raised before it is compared */
+/* P1, P2, block, uniqueness, cap, disp12 for one channel; and by how much (cost + 1 point) is raised before it is
+ * compared */
 static const struct preset {
     const char *name;
     stad_point point;
     int32_t handicap_q16;
 } presets[STAD_PRESETS] = {
-    {"clean", {{48, 185, 3, 0, 41, 8}}, 0},
-    {"gain", {{47, 357, 3, 0, 85, 8}}, 0},
-    {"blur", {{152, 625, 7, 0, 127, 8}}, 3277},
-    {"noise-5", {{328, 1849, 7, 0, 81, 8}}, 15729},
-    {"vignette", {{318, 8192, 7, 0, 113, 8}}, 20316},
-    {"noise-10", {{1372, 8192, 11, 0, 91, 8}}, 19661},
+    {"clean", {{48, 185, 3, 0, 41, 8}}, 0},           {"gain", {{47, 357, 3, 0, 85, 8}}, 0},
+    {"blur", {{152, 625, 7, 0, 127, 8}}, 3277},       {"noise-5", {{328, 1849, 7, 0, 81, 8}}, 15729},
+    {"vignette", {{318, 8192, 7, 0, 113, 8}}, 20316}, {"noise-10", {{1372, 8192, 11, 0, 91, 8}}, 19661},
     {"noise-20", {{943, 4613, 11, 0, 15, 8}}, 14418},
 };
 

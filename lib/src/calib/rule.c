@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * cost -> [RULE] -> adopt or keep        calib/rule.c - when a lower cost is believed
  *
- * The target is one small, odd part of what the camera will see. Two brakes keep it from leading far astray: while tuning, a cost grows with the
- * distance from the start; and what comes out must be better on a frame of another pose by more than chance. */
+ * The target is one small, odd part of what the camera will see. Two brakes keep it from leading far astray: while
+ * tuning, a cost grows with the distance from the start; and what comes out must be better on a frame of another pose
+ * by more than chance. */
 #include "base/log.h"
 #include "calib/calib_parts.h"
 
@@ -12,15 +13,16 @@ static int64_t octaves(int32_t a, int32_t b)
     return (int64_t)stad_log2_q16((uint32_t)a) - stad_log2_q16((uint32_t)b);
 }
 
-/* Squared distance in the tuner's own steps: octaves of P1 and P2 over the block's area, octaves of the cap, eights of uniqueness. Each
- * term is at most (32 * 2^16)^2 = 2^42. */
+/* Squared distance in the tuner's own steps: octaves of P1 and P2 over the block's area, octaves of the cap, eights
+ * of uniqueness. Each term is at most (32 * 2^16)^2 = 2^42. */
 static int64_t squared_steps_q32(const stad_point *a, const stad_point *b)
 {
     int64_t block = 2 * octaves(a->v[STAD_TUNE_BLOCK_SIZE], b->v[STAD_TUNE_BLOCK_SIZE]);
     int64_t p1 = octaves(a->v[STAD_TUNE_P1], b->v[STAD_TUNE_P1]) - block;
     int64_t p2 = octaves(a->v[STAD_TUNE_P2], b->v[STAD_TUNE_P2]) - block;
     int64_t cap = octaves(a->v[STAD_TUNE_PRE_FILTER_CAP], b->v[STAD_TUNE_PRE_FILTER_CAP]);
-    int64_t margin = (int64_t)(a->v[STAD_TUNE_UNIQUENESS_RATIO] - b->v[STAD_TUNE_UNIQUENESS_RATIO]) * (65536 / 8);
+    int64_t margin =
+        (int64_t)(a->v[STAD_TUNE_UNIQUENESS_RATIO] - b->v[STAD_TUNE_UNIQUENESS_RATIO]) * (65536 / 8);
     return p1 * p1 + p2 * p2 + cap * cap + margin * margin;
 }
 
@@ -34,13 +36,15 @@ int32_t stad_calib_raised(int32_t cost_q20, int64_t by_q16)
     return cost < STAD_COST_FAILED ? (int32_t)cost : STAD_COST_FAILED - 1;
 }
 
-int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20, int32_t lambda_q16)
+int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20,
+                             int32_t lambda_q16)
 {
-    int64_t square_q16 = squared_steps_q32(start, x) / 65536; /* < 2^28 */
+    int64_t square_q16 = squared_steps_q32(start, x) / 65536;            /* < 2^28 */
     return stad_calib_raised(cost_q20, square_q16 * lambda_q16 / 65536); /* lambda <= 1 */
 }
 
-/* max(least, 3 sqrt(p (1 - p) / n)), n = pixels / 100: neighbouring pixels fail together, so a hundred count as one. */
+/* max(least, 3 sqrt(p (1 - p) / n)), n = pixels / 100: neighbouring pixels fail together, so a hundred count as one.
+ * */
 int32_t stad_calib_margin(int32_t cost_q20, int32_t pixels, int32_t least_q20)
 {
     int64_t p = cost_q20 < STAD_COST_ONE ? cost_q20 : STAD_COST_ONE;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * truth -> pick -> judge -> tune -> [TRIAL] -> adopt        calib/trial.c - the order of the matches and the decision
  *
- * On the tuning frame: the set in use (step 0), then the presets (step 1 + i). On the other pose: the set in use (0), the pick (1). On the tuning
- * frame: ncg from the pick. On the other pose: the tuned set (2). Each is one MATCH request. */
+ * On the tuning frame: the set in use (step 0), then the presets (step 1 + i). On the other pose: the set in use (0),
+ * the pick (1). On the tuning frame: ncg from the pick. On the other pose: the tuned set (2). Each is one MATCH
+ * request. */
 #include "calib/calib_parts.h"
 
 enum judged { JUDGE_ACTIVE = 0, JUDGE_PICK = 1, JUDGE_TUNED = 2 };
@@ -14,7 +15,8 @@ static stad_point active_point(const stad_calib *c)
 
 static int preset_fits(const stad_calib *c, int i, stad_point *point)
 {
-    if (!(c->config.preset_mask >> i & 1) || stad_calib_preset(i, c->config.geometry.channels, point, NULL) != STAD_OK)
+    if (!(c->config.preset_mask >> i & 1) ||
+        stad_calib_preset(i, c->config.geometry.channels, point, NULL) != STAD_OK)
         return 0;
     stad_params params = stad_calib_params_at(&c->active.params, point);
     return params.block_size >= c->config.min_block_size && stad_calib_fits(&c->config.geometry, &params);
@@ -59,7 +61,7 @@ int stad_calib_trial_hold(const stad_calib *c)
     return c->report.phase == STAD_CALIB_JUDGE ? 1 : 0;
 }
 
-/* -- the decision ------------------------------------------------------------------------------------------------------- */
+/* -- the decision ------------------------------------------------------------------------------------------------ */
 
 static int32_t judge_margin(const stad_calib *c, int32_t cost_q20)
 {
@@ -92,7 +94,7 @@ static void decide(stad_calib *c)
     if (chosen != JUDGE_ACTIVE)
         point = chosen == JUDGE_TUNED ? c->tuned : c->pick;
     c->report.tuned = chosen == JUDGE_TUNED;
-    c->report.tune_after_q20 = chosen == JUDGE_TUNED   ? c->tuned_q20
+    c->report.tune_after_q20 = chosen == JUDGE_TUNED  ? c->tuned_q20
                                : chosen == JUDGE_PICK ? c->pick_q20
                                                       : c->report.tune_before_q20;
     c->report.judge_after_q20 = c->judged_q20[chosen];
@@ -102,7 +104,7 @@ static void decide(stad_calib *c)
     stad_calib_adopt(c);
 }
 
-/* -- from one match to the next -------------------------------------------------------------------------------------------- */
+/* -- from one match to the next ---------------------------------------------------------------------------------- */
 
 static void judge_tuned(stad_calib *c)
 {
@@ -134,7 +136,8 @@ static void tune(stad_calib *c)
 /* A pick is worse on the other pose than the set in use, its handicap counted. */
 static int pick_is_worse(const stad_calib *c)
 {
-    int32_t score_q20 = stad_calib_raised(c->judged_q20[JUDGE_PICK], stad_calib_handicap_q16(c->report.preset));
+    int32_t score_q20 =
+        stad_calib_raised(c->judged_q20[JUDGE_PICK], stad_calib_handicap_q16(c->report.preset));
     return score_q20 > c->judged_q20[JUDGE_ACTIVE];
 }
 

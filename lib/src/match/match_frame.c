@@ -12,6 +12,11 @@ static int image_fits(const stad_frame *f, const stad_image *image)
            image->channels == f->g.channels && image->pixel_stride >= image->channels;
 }
 
+static int speckle_fits(const stad_frame *f, const void *work, size_t work_bytes)
+{
+    return work && (uintptr_t)work % sizeof(int32_t) == 0 && work_bytes >= STAD_SPECKLE_BYTES(f->g.width, f->g.height);
+}
+
 /* Row y with its samples packed: the image's own memory if they are, else gathered into `packed`. */
 static const uint8_t *packed_row(const stad_image *image, int32_t y, uint8_t *packed)
 {
@@ -55,7 +60,7 @@ int stad_match_frame(stad_match *m, const stad_params *p, const stad_image *left
         return status;
     if (!image_fits(f, left) || !image_fits(f, right) || !disp_q4)
         return STAD_E_SIZE;
-    if (p->speckle_window_size > 0 && (!speckle_work || speckle_bytes < STAD_SPECKLE_BYTES(f->g.width, f->g.height)))
+    if (p->speckle_window_size > 0 && !speckle_fits(f, speckle_work, speckle_bytes))
         return STAD_E_SIZE;
     for (int32_t left_over = f->g.height; left_over > 0;) {
         status = push_next(m, left, right);

@@ -74,6 +74,17 @@ static int refuse(const char **culprit, const char *field)
     return STAD_E_PARAM;
 }
 
+/* Could the bytes of the workspace leave size_t? Only where it has 32 bits. Every part but the pixels is a number of rows of
+ * at most `row` bytes: the segment and its checkpoints at most 4 rows an image row, the ring and the block's reach at most
+ * 2 * block, lanes and the rest at most 32. No division, so that small cores need no 64-bit one. */
+static int is_too_large(const stad_geometry *g)
+{
+    const uint64_t w = (uint64_t)g->width, h = (uint64_t)g->height, d = (uint64_t)g->max_disparities;
+    const uint64_t row = 2 * (STAD_CELLS(w, d) + d + 16 * (w + 2) + 64) + 14 * w * (uint64_t)g->channels;
+    const uint64_t rows = 4 * h + 2 * (uint64_t)g->max_block_size + 32;
+    return row * rows + 2 * w * h * (uint64_t)g->channels > SIZE_MAX;
+}
+
 int stad_geometry_check(const stad_geometry *g, const char **culprit)
 {
     if (g->width < 1)
@@ -94,6 +105,8 @@ int stad_geometry_check(const stad_geometry *g, const char **culprit)
         return refuse(culprit, "mode");
     if (g->memory > STAD_MEMORY_SMALL)
         return refuse(culprit, "memory");
+    if (is_too_large(g))
+        return refuse(culprit, "height");
     if (culprit)
         *culprit = NULL;
     return STAD_OK;

@@ -2,7 +2,8 @@
  * setup -> pack -> [STORE] -> flash        store/store.c - two slots in turn, a third for the factory
  *
  * The invariant that survives any cut: the slot about to be erased is never the only one with a good record. Hence a
- * save first looks at both slots, writes the one that is bad or older, and leaves the other alone until the next save. */
+ * save first looks at both slots, writes the one that is bad or older, and leaves the other alone until the next
+ * save. */
 #include "stad/store.h"
 
 #include <string.h>
@@ -14,8 +15,8 @@ typedef struct slot_view {
     uint32_t sequence;
 } slot_view;
 
-#define MAX_GRANULE  64u
-#define RECORD_ROOM  128u /* STAD_SETUP_BYTES rounded up to the largest granule */
+#define MAX_GRANULE 64u
+#define RECORD_ROOM 128u /* STAD_SETUP_BYTES rounded up to the largest granule */
 typedef char record_fits[STAD_SETUP_BYTES <= RECORD_ROOM && RECORD_ROOM % MAX_GRANULE == 0 ? 1 : -1];
 
 static uint32_t padded_bytes(const stad_flash *f)
