@@ -125,7 +125,7 @@ def detect_cell(side, noise, psf, frames):
 
 def detect():
     for noise, psf in ((3, .8), (6, 1.2)):
-        for side in (16, 24, 32, 48, 96):
+        for side in (16, 24, 32, 48):
             detect_cell(side, noise, psf, ARGS.frames if side <= 40 else max(ARGS.frames // 3, 1))
 
 
