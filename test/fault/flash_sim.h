@@ -24,11 +24,11 @@ typedef struct flash_sim {
     long touched;
     int dead; /* the power is off */
     enum sim_tear tear;
-    int stuck[3];     /* 1: the sector ignores erase and program, and says it obeyed */
+    int stuck[3]; /* 1: the sector ignores erase and program, and says it obeyed */
     int unreadable[3];
-    int refuses;      /* 1: program reports failure without touching anything */
-    int wear[3];      /* erases */
-    int violations;   /* programs onto unblank bytes, or off the granule, or outside */
+    int refuses;    /* 1: program reports failure without touching anything */
+    int wear[3];    /* erases */
+    int violations; /* programs onto unblank bytes, or off the granule, or outside */
     uint32_t random;
 } flash_sim;
 
@@ -130,7 +130,8 @@ static inline void sim_init(flash_sim *s, uint32_t granule, uint32_t seed)
 
 static inline stad_flash sim_flash(flash_sim *s)
 {
-    stad_flash f = {sim_read, sim_program, sim_erase, s, {0, SIM_SECTOR, 2 * SIM_SECTOR}, SIM_SECTOR, s->granule};
+    stad_flash f = {sim_read,   sim_program, sim_erase, s, {0, SIM_SECTOR, 2 * SIM_SECTOR},
+                    SIM_SECTOR, s->granule};
     return f;
 }
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
- * test_calib_faults.c - the loop when cameras, frames, marks, flash or power fail: the state is told, nothing bad is adopted, it ends.
+ * test_calib_faults.c - the loop when cameras, frames, marks, flash or power fail: the state is told, nothing bad is
+ * adopted, it ends.
  *
- * Frames are rendered once: the target in two poses before a room, with sound and with drifted cameras. Costs are made up where only the
- * pump is at stake. */
+ * Frames are rendered once: the target in two poses before a room, with sound and with drifted cameras. Costs are
+ * made up where only the pump is at stake. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,8 +13,8 @@
 #include "stad/calib.h"
 #include "unity.h"
 
-#define W 320
-#define H 240
+#define W      320
+#define H      240
 #define PIXELS ((size_t)W * H)
 
 enum shot { NEAR_POSE, FAR_POSE, THIRD_POSE, NO_TARGET, DRIFTED, DRIFTED_OTHER, SHOTS };
@@ -63,7 +64,9 @@ static void render(enum shot which, const target_pose *pose, int drifted)
 
 static void render_all(void)
 {
-    const target_pose poses[3] = {{{40, 8, 400}, 0.45, 0.10, 0.02}, {{10, -14, 390}, 0.40, -0.14, -0.04}, {{50, 0, 410}, 0.5, 0.0, 0.03}};
+    const target_pose poses[3] = {{{40, 8, 400}, 0.45, 0.10, 0.02},
+                                  {{10, -14, 390}, 0.40, -0.14, -0.04},
+                                  {{50, 0, 410}, 0.5, 0.0, 0.03}};
     render(NEAR_POSE, &poses[0], 0);
     render(FAR_POSE, &poses[1], 0);
     render(THIRD_POSE, &poses[2], 0);
@@ -99,7 +102,7 @@ void tearDown(void)
 {
 }
 
-/* -- frames ------------------------------------------------------------------------------------------------------------------- */
+/* -- frames ------------------------------------------------------------------------------------------------------ */
 
 /* A shot with noise of its own: two frames are never identical. */
 static void expose(enum shot which)
@@ -185,7 +188,7 @@ static void make_without_target(void)
     expose(NO_TARGET);
 }
 
-/* -- camera faults -------------------------------------------------------------------------------------------------------------- */
+/* -- camera faults ----------------------------------------------------------------------------------------------- */
 
 static void expect_fault(void (*make)(void), int fault, int outcome)
 {
@@ -258,7 +261,8 @@ void test_calib_torn_frame_is_refused(void)
     start();
     make_torn();
     TEST_ASSERT_LESS_THAN(0, give());
-    TEST_ASSERT_TRUE(stad_calib_report_of(&calib)->fault == STAD_FAULT_RIG || stad_calib_report_of(&calib)->fault == STAD_FAULT_MARKS);
+    TEST_ASSERT_TRUE(stad_calib_report_of(&calib)->fault == STAD_FAULT_RIG ||
+                     stad_calib_report_of(&calib)->fault == STAD_FAULT_MARKS);
     expose(NEAR_POSE);
     TEST_ASSERT_EQUAL(1, give()); /* the next good one is taken */
 }
@@ -280,14 +284,15 @@ void test_calib_target_out_of_range_is_told(void)
 
 void test_calib_wrong_size_is_told(void)
 {
-    stad_image small = stad_image_packed(left_pix, W - 1, H, 1), right = stad_image_packed(right_pix, W, H, 1);
+    stad_image small = stad_image_packed(left_pix, W - 1, H, 1),
+               right = stad_image_packed(right_pix, W, H, 1);
     start();
     TEST_ASSERT_EQUAL(STAD_E_SIZE, stad_calib_frame(&calib, &small, &right, work, sizeof work));
     TEST_ASSERT_EQUAL(STAD_FAULT_SIZE, stad_calib_report_of(&calib)->fault);
     TEST_ASSERT_EQUAL(STAD_CALIB_LOOK, stad_calib_report_of(&calib)->phase);
 }
 
-/* -- poses and the rig ------------------------------------------------------------------------------------------------------------ */
+/* -- poses and the rig ------------------------------------------------------------------------------------------- */
 
 void test_calib_same_pose_does_not_judge(void)
 {
@@ -322,7 +327,9 @@ void test_calib_two_poses_of_a_sound_rig_begin_the_trial(void)
 static int give_until_idle(enum shot first, enum shot then, int most)
 {
     int given = 0;
-    for (; given < most && stad_calib_report_of(&calib)->phase <= STAD_CALIB_CONFIRM && stad_calib_report_of(&calib)->phase != STAD_CALIB_IDLE; given++) {
+    for (; given < most && stad_calib_report_of(&calib)->phase <= STAD_CALIB_CONFIRM &&
+           stad_calib_report_of(&calib)->phase != STAD_CALIB_IDLE;
+         given++) {
         expose(given == 0 ? first : then);
         give();
     }
@@ -381,7 +388,7 @@ void test_calib_correction_is_dropped_when_the_rig_is_sound_again(void)
     TEST_ASSERT_EQUAL(0, stad_calib_setup(&calib)->corrected);
 }
 
-/* -- resets, soak -------------------------------------------------------------------------------------------------------------------- */
+/* -- resets, soak ------------------------------------------------------------------------------------------------ */
 
 /* Costs as of a scene in which block 7 and more helps, for any point. */
 static int32_t made_up(const stad_request *r)
@@ -472,8 +479,9 @@ void test_calib_reset_at_any_turn_leaves_old_or_adopted(void)
 /* Whatever frame chance sends. */
 static void expose_anything(void)
 {
-    void (*const faults[])(void) = {make_black,      make_left_black, make_saturated, make_half_saturated, make_right_dead,
-                                    make_left_frozen, make_swapped,   make_rows_shifted, make_torn,       make_without_target};
+    void (*const faults[])(void) = {make_black,      make_left_black,    make_saturated, make_half_saturated,
+                                    make_right_dead, make_left_frozen,   make_swapped,   make_rows_shifted,
+                                    make_torn,       make_without_target};
     unsigned choice = dice() % 40;
     if (choice < sizeof faults / sizeof faults[0])
         faults[choice]();
@@ -494,10 +502,12 @@ static void soak_turn(void)
             give();
         break;
     case STAD_WANT_MATCH:
-        stad_calib_cost(&calib, dice() % 50 == 0 ? STAD_COST_FAILED : made_up(&r) + (int32_t)(dice() % 20000));
+        stad_calib_cost(&calib,
+                        dice() % 50 == 0 ? STAD_COST_FAILED : made_up(&r) + (int32_t)(dice() % 20000));
         break;
     case STAD_WANT_SAVE:
-        stad_calib_saved(&calib, dice() % 10 == 0 ? STAD_E_CORRUPT : stad_store_save(&flash, stad_calib_setup(&calib)));
+        stad_calib_saved(&calib, dice() % 10 == 0 ? STAD_E_CORRUPT
+                                                  : stad_store_save(&flash, stad_calib_setup(&calib)));
         break;
     default:
         break;
@@ -529,7 +539,8 @@ void test_calib_soak_never_hangs_and_never_adopts_worse(void)
         TEST_ASSERT_LESS_THAN_MESSAGE(600, waiting, "a run does not end");
         stad_request now = start_point;
         now.params = stad_calib_setup(&calib)->params;
-        TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(made_up(&start_point) + 3 * (STAD_COST_ONE / 100), made_up(&now), "a worse set was adopted");
+        TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(made_up(&start_point) + 3 * (STAD_COST_ONE / 100), made_up(&now),
+                                          "a worse set was adopted");
         TEST_ASSERT_EQUAL(STAD_OK, stad_setup_check(stad_calib_setup(&calib)));
         if (dice() % 5000 == 0)
             power_on();

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * test_store_faults.c - the promise of the store under power cuts, torn writes, flipped bits and stuck sectors.
  *
- * Exhaustive: every flash history below x every program granule x every kind of tear x a cut at every byte that a save touches, and
- * after each of these a second save with a cut at every byte again. After each cut a load must find the old set or the new. */
+ * Exhaustive: every flash history below x every program granule x every kind of tear x a cut at every byte that a
+ * save touches, and after each of these a second save with a cut at every byte again. After each cut a load must find
+ * the old set or the new. */
 #include "flash_sim.h"
 #include "unity.h"
 
@@ -70,9 +71,20 @@ static int save(flash_sim *s, int number)
     return stad_store_save(&f, &setup);
 }
 
-/* -- histories: what the flash went through before the save under test ---------------------------------------------------- */
+/* -- histories: what the flash went through before the save under test ------------------------------------------- */
 
-enum history { BLANK, JUNK, FACTORY_ONLY, ONE_SAVE, TWO_SAVES, THREE_SAVES, OLDER_ROTTEN, NEWER_ROTTEN, NUMBERS_WRAP, HISTORIES };
+enum history {
+    BLANK,
+    JUNK,
+    FACTORY_ONLY,
+    ONE_SAVE,
+    TWO_SAVES,
+    THREE_SAVES,
+    OLDER_ROTTEN,
+    NEWER_ROTTEN,
+    NUMBERS_WRAP,
+    HISTORIES
+};
 
 static void put_record(flash_sim *s, int slot, int number, uint32_t sequence)
 {
@@ -110,7 +122,8 @@ static void expect_old_or_new(flash_sim *s, int before, int after, const char *w
     int now = loaded(s);
     if (now == before || now == after)
         return;
-    snprintf(why + strlen(why), sizeof why - strlen(why), " %s: %d, wanted %d or %d", when, now, before, after);
+    snprintf(why + strlen(why), sizeof why - strlen(why), " %s: %d, wanted %d or %d", when, now, before,
+             after);
     TEST_FAIL_MESSAGE(why);
 }
 
@@ -140,7 +153,8 @@ static long cut_everywhere(enum history h, uint32_t granule, enum sim_tear tear)
 {
     long cuts = 0;
     for (long cut = 0;; cut++) {
-        snprintf(why, sizeof why, "history %d granule %u tear %d cut %ld", (int)h, (unsigned)granule, (int)tear, cut);
+        snprintf(why, sizeof why, "history %d granule %u tear %d cut %ld", (int)h, (unsigned)granule,
+                 (int)tear, cut);
         prepare(&sim, h, granule, (uint32_t)(977 * cut + 13 * (long)h + 1));
         sim.tear = tear;
         int before = loaded(&sim);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * test_calib.c - the pump without pixels: costs are made up, and the decision, the order and the ends are looked at. */
+ * test_calib.c - the pump without pixels: costs are made up, and the decision, the order and the ends are looked at.
+ * */
 #include <stdio.h>
 #include <string.h>
 
@@ -35,7 +36,8 @@ void tearDown(void)
 static void hold_poses(void)
 {
     const stad_plane plane = {0, 0, 20 * 65536};
-    const stad_polygon where = {4, {{80 * 256, 20 * 256}, {300 * 256, 20 * 256}, {300 * 256, 220 * 256}, {80 * 256, 220 * 256}}};
+    const stad_polygon where = {
+        4, {{80 * 256, 20 * 256}, {300 * 256, 20 * 256}, {300 * 256, 220 * 256}, {80 * 256, 220 * 256}}};
     for (int i = 0; i < 2; i++) {
         stad_truth_init(&calib.pose[i].truth, 320, 240, 0, 64, 1);
         TEST_ASSERT_EQUAL(STAD_OK, stad_truth_add_plane(&calib.pose[i].truth, &plane, &where));
@@ -88,7 +90,7 @@ static int is_start(const stad_params *p)
     return memcmp(p, &setup.params, sizeof *p) == 0;
 }
 
-/* -- costs ----------------------------------------------------------------------------------------------------------------- */
+/* -- costs ------------------------------------------------------------------------------------------------------- */
 
 static int32_t flat(const stad_request *r)
 {
@@ -128,7 +130,8 @@ static int32_t away_from(int value, int best, int unit)
 /* A bowl with its floor at uniqueness 6, cap 31, 20 points deep. */
 static int32_t bowl(const stad_request *r)
 {
-    return POINTS(10) + away_from(r->params.uniqueness_ratio, 6, 2) + away_from(r->params.pre_filter_cap, 31, 8);
+    return POINTS(10) + away_from(r->params.uniqueness_ratio, 6, 2) +
+           away_from(r->params.pre_filter_cap, 31, 8);
 }
 
 static int32_t bowl_on_tuning_pose_only(const stad_request *r)
@@ -136,7 +139,7 @@ static int32_t bowl_on_tuning_pose_only(const stad_request *r)
     return r->hold == 0 ? bowl(r) : POINTS(20);
 }
 
-/* -- the decision ------------------------------------------------------------------------------------------------------------ */
+/* -- the decision ------------------------------------------------------------------------------------------------ */
 
 void test_calib_equal_costs_keep_what_is_in_use(void)
 {
@@ -190,7 +193,8 @@ void test_calib_tuned_set_is_adopted_when_it_holds(void)
     run_trial(bowl);
     TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->tuned);
     TEST_ASSERT_EQUAL(STAD_ORIGIN_TUNED, stad_calib_setup(&calib)->origin);
-    TEST_ASSERT_LESS_OR_EQUAL(stad_calib_report_of(&calib)->judge_before_q20 - POINTS(2), stad_calib_report_of(&calib)->judge_after_q20);
+    TEST_ASSERT_LESS_OR_EQUAL(stad_calib_report_of(&calib)->judge_before_q20 - POINTS(2),
+                              stad_calib_report_of(&calib)->judge_after_q20);
 }
 
 void test_calib_tuned_set_that_does_not_hold_is_refused(void)
@@ -214,7 +218,8 @@ void test_calib_budget_is_never_exceeded(void)
         config.budget = (int16_t)budget;
         int matches = run_trial(bowl);
         snprintf(what, sizeof what, "budget %d", budget);
-        TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(budget > 11 ? budget : 11, stad_calib_report_of(&calib)->evaluations, what);
+        TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(budget > 11 ? budget : 11,
+                                          stad_calib_report_of(&calib)->evaluations, what);
         TEST_ASSERT_GREATER_OR_EQUAL_MESSAGE(stad_calib_report_of(&calib)->evaluations, matches, what);
     }
 }
@@ -236,7 +241,7 @@ void test_calib_sets_stay_within_the_geometry(void)
     }
 }
 
-/* -- saving, probation --------------------------------------------------------------------------------------------------------- */
+/* -- saving, probation ------------------------------------------------------------------------------------------- */
 
 static void adopt_a_preset(void)
 {
@@ -348,7 +353,7 @@ void test_calib_quiet_probation_without_marks_keeps(void)
     TEST_ASSERT_TRUE(changed());
 }
 
-/* -- beginning ------------------------------------------------------------------------------------------------------------------- */
+/* -- beginning --------------------------------------------------------------------------------------------------- */
 
 void test_calib_idle_wants_nothing_and_refuses_reports(void)
 {
@@ -440,11 +445,11 @@ static int refused(void)
     return stad_calib_init(&calib, &config, &setup) == STAD_E_PARAM;
 }
 
-#define REFUSES(object, field, value)                                                                                                      \
-    do {                                                                                                                                   \
-        setUp();                                                                                                                           \
-        object.field = value;                                                                                                              \
-        TEST_ASSERT_TRUE_MESSAGE(refused(), #field " = " #value);                                                                          \
+#define REFUSES(object, field, value)                                                                        \
+    do {                                                                                                     \
+        setUp();                                                                                             \
+        object.field = value;                                                                                \
+        TEST_ASSERT_TRUE_MESSAGE(refused(), #field " = " #value);                                            \
     } while (0)
 
 void test_calib_config_out_of_range_is_refused(void)
@@ -474,7 +479,7 @@ void test_calib_config_out_of_range_is_refused(void)
     setUp();
 }
 
-/* -- the rule's numbers ------------------------------------------------------------------------------------------------------------ */
+/* -- the rule's numbers ------------------------------------------------------------------------------------------ */
 
 void test_calib_penalty_is_nothing_at_the_start(void)
 {

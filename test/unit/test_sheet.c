@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * test_sheet.c - the nets of the target's parts fold up to the heights and footprints of the table, and fit the paper. */
+ * test_sheet.c - the nets of the target's parts fold up to the heights and footprints of the table, and fit the
+ * paper. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -56,7 +57,8 @@ static void expect_wall(const sheet_piece *wall, const stad_target_facet *f, int
 static int edge_of(const sheet_piece *wall, const sheet_piece *top)
 {
     for (int i = 0; i < 4; i++)
-        if (memcmp(&wall->p[0], &top->p[i], sizeof wall->p[0]) == 0 && memcmp(&wall->p[1], &top->p[(i + 1) & 3], sizeof wall->p[1]) == 0)
+        if (memcmp(&wall->p[0], &top->p[i], sizeof wall->p[0]) == 0 &&
+            memcmp(&wall->p[1], &top->p[(i + 1) & 3], sizeof wall->p[1]) == 0)
             return i;
     return -1;
 }
@@ -110,7 +112,7 @@ void test_sheet_parts_have_their_pieces(void)
     TEST_ASSERT_EQUAL(0, net.count);
 }
 
-/* -- a pen that only measures --------------------------------------------------------------------------------------------------- */
+/* -- a pen that only measures ------------------------------------------------------------------------------------ */
 
 typedef struct gauge {
     double width, height;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * sheet/sheet.h - the printable target: pages in true scale, drawn by a pen that writes PDF or SVG.
  *
- * Page 1 is the base with its marks, the next pages the fold-up parts as nets, the last one how to build and mount it. Geometry and print come
- * from the tables that truth and renderer use. The same job gives the same bytes everywhere: no date, no random number, and
- * numbers with three decimals. */
+ * Page 1 is the base with its marks, the next pages the fold-up parts as nets, the last one how to build and mount
+ * it. Geometry and print come from the tables that truth and renderer use. The same job gives the same bytes
+ * everywhere: no date, no random number, and numbers with three decimals. */
 #ifndef SHEET_H
 #define SHEET_H
 
@@ -12,7 +12,7 @@
 #include "../common/fail.h"
 #include "stad/target.h"
 
-/* -- pen: millimetres, origin at the page's top left corner, y down ------------------------------------------------------- */
+/* -- pen: millimetres, origin at the page's top left corner, y down ---------------------------------------------- */
 
 typedef struct sheet_point {
     double x, y;
@@ -47,7 +47,7 @@ const sheet_paper *sheet_paper_named(const char *name); /* a4, letter; NULL othe
 /* Draws all pages of a target. Returns how many, or 0 when the pen failed or a part does not fit the paper. */
 int sheet_draw(const stad_target *target, const sheet_paper *paper, const sheet_pen *pen);
 
-/* -- nets ----------------------------------------------------------------------------------------------------------------------- */
+/* -- nets -------------------------------------------------------------------------------------------------------- */
 
 enum sheet_piece_kind { SHEET_TOP, SHEET_WALL, SHEET_FLAP };
 
@@ -71,7 +71,7 @@ void sheet_unfold(const stad_target *target, int part, sheet_net *net);
 /* Length of a facet's edge in space, mm. */
 double sheet_edge_mm(const stad_target_facet *f, int edge);
 
-/* -- files ------------------------------------------------------------------------------------------------------------------------ */
+/* -- files ------------------------------------------------------------------------------------------------------- */
 
 /* One PDF of all pages, or one SVG a page (name-1.svg ...), by the suffix of `path`. */
 int sheet_write(const stad_target *target, const sheet_paper *paper, const char *path, tool_fail *f);

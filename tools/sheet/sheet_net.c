@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
- * target table -> [sheet/sheet_net.c] -> pages - unfolds a part: facets side by side, walls folded out, flaps to glue.
+ * target table -> [sheet/sheet_net.c] -> pages - unfolds a part: facets side by side, walls folded out, flaps to
+ * glue.
  *
- * Every piece after the first is attached along an edge that is on the page already: a point of the new piece keeps its
- * distance from the edge and its place along it. */
+ * Every piece after the first is attached along an edge that is on the page already: a point of the new piece keeps
+ * its distance from the edge and its place along it. */
 #include "sheet.h"
 
 #include <math.h>
@@ -173,7 +174,8 @@ static sheet_piece *place_first(sheet_net *net, const stad_target_facet *f, int 
     return top;
 }
 
-static sheet_piece *place_beside(sheet_net *net, const stad_target *t, sheet_piece *was, int i, int facet, int k)
+static sheet_piece *place_beside(sheet_net *net, const stad_target *t, sheet_piece *was, int i, int facet,
+                                 int k)
 {
     const stad_target_facet *f = &t->facets[was->facet], *g = &t->facets[facet];
     hinge h = hinge_of(corner(f, i), corner(f, i + 1), was->p[i], was->p[(i + 1) & 3], centre(was));

@@ -10,7 +10,7 @@
 
 #define MARGIN_MM 7.0 /* what printers leave white */
 #define GAP_MM    4.0
-#define PX_PER_MM 4   /* of the print: its finest grain is 1 mm */
+#define PX_PER_MM 4 /* of the print: its finest grain is 1 mm */
 
 static const sheet_paper papers[] = {{"a4", 297.0, 210.0}, {"letter", 279.4, 215.9}};
 
@@ -41,7 +41,7 @@ static void fill_box(const sheet_pen *pen, double x, double y, double w, double 
     pen->fill(pen->to, p, 4, grey);
 }
 
-/* -- print ----------------------------------------------------------------------------------------------------------------- */
+/* -- print ------------------------------------------------------------------------------------------------------- */
 
 typedef int print_at(const void *what, int x_um, int y_um);
 
@@ -56,7 +56,8 @@ static int part_print(const void *what, int x_um, int y_um)
 }
 
 /* A patch of print whose corner is at `origin`, spanned by unit vectors u and v. */
-static int print_patch(const sheet_pen *pen, print_at *print, const void *what, double w_mm, double h_mm, const sheet_point span[3])
+static int print_patch(const sheet_pen *pen, print_at *print, const void *what, double w_mm, double h_mm,
+                       const sheet_point span[3])
 {
     sheet_raster r;
     r.width = (int)ceil(w_mm * PX_PER_MM - 1e-6);
@@ -77,7 +78,7 @@ static int print_patch(const sheet_pen *pen, print_at *print, const void *what, 
     return 1;
 }
 
-/* -- page 1 ------------------------------------------------------------------------------------------------------------------ */
+/* -- page 1 ------------------------------------------------------------------------------------------------------ */
 
 /* Marks as filled squares over the print, so that their edges are as sharp as the printer can. */
 static void draw_tag(const sheet_pen *pen, const stad_target *t, const stad_target_tag *tag, sheet_point o)
@@ -100,7 +101,8 @@ static void draw_footprints(const sheet_pen *pen, const stad_target *t, sheet_po
         const stad_target_facet *f = &t->facets[i];
         for (int k = 0; k < 4; k++) {
             int n = (k + 1) % 4;
-            pen->line(pen->to, at(o.x + f->x_mm[k], o.y + f->y_mm[k]), at(o.x + f->x_mm[n], o.y + f->y_mm[n]), SHEET_THIN);
+            pen->line(pen->to, at(o.x + f->x_mm[k], o.y + f->y_mm[k]), at(o.x + f->x_mm[n], o.y + f->y_mm[n]),
+                      SHEET_THIN);
         }
         if (i == 0 || t->facets[i - 1].part != f->part)
             pen->text(pen->to, at(o.x + f->x_mm[0] + 1, o.y + f->y_mm[0] + 4), 2.5, t->parts[f->part]);
@@ -112,7 +114,12 @@ static void draw_ruler(const sheet_pen *pen, double x, double y)
 {
     pen->line(pen->to, at(x, y), at(x, y + 100), SHEET_CUT);
     for (int mm = 0; mm <= 100; mm++)
-        pen->line(pen->to, at(x, y + mm), at(x + (mm % 10 == 0 ? 3 : mm % 5 == 0 ? 2 : 1), y + mm), SHEET_CUT);
+        pen->line(pen->to, at(x, y + mm),
+                  at(x + (mm % 10 == 0  ? 3
+                          : mm % 5 == 0 ? 2
+                                        : 1),
+                     y + mm),
+                  SHEET_CUT);
     pen->text(pen->to, at(x - 2, y - 2), 3, "0");
     pen->text(pen->to, at(x - 4, y + 104), 3, "100 mm");
 }
@@ -128,11 +135,12 @@ static int draw_base(const stad_target *t, const sheet_paper *paper, const sheet
     draw_footprints(pen, t, o);
     box(pen, o.x, o.y, t->width_mm, t->height_mm, SHEET_CUT);
     draw_ruler(pen, o.x + t->width_mm + 2, paper->height_mm / 2 - 50);
-    pen->text(pen->to, at(o.x, o.y - 3), 3, "base: print at 100 %, check the ruler, cut along the outline, glue to a flat board");
+    pen->text(pen->to, at(o.x, o.y - 3), 3,
+              "base: print at 100 %, check the ruler, cut along the outline, glue to a flat board");
     return 1;
 }
 
-/* -- nets ----------------------------------------------------------------------------------------------------------------------- */
+/* -- nets -------------------------------------------------------------------------------------------------------- */
 
 static int draw_piece(const stad_target *t, const sheet_pen *pen, const sheet_piece *piece, sheet_point shift)
 {
@@ -143,7 +151,9 @@ static int draw_piece(const stad_target *t, const sheet_pen *pen, const sheet_pi
         const stad_target_facet *f = &t->facets[piece->facet];
         double w = sheet_edge_mm(f, 0), h = sheet_edge_mm(f, 3);
         int part = f->part + 1;
-        const sheet_point span[3] = {p[0], {(p[1].x - p[0].x) / w, (p[1].y - p[0].y) / w}, {(p[3].x - p[0].x) / h, (p[3].y - p[0].y) / h}};
+        const sheet_point span[3] = {p[0],
+                                     {(p[1].x - p[0].x) / w, (p[1].y - p[0].y) / w},
+                                     {(p[3].x - p[0].x) / h, (p[3].y - p[0].y) / h}};
         if (!print_patch(pen, part_print, &part, w, h, span))
             return 0;
     } else if (piece->kind == SHEET_WALL) {
@@ -206,19 +216,29 @@ static int draw_nets(const stad_target *t, const sheet_pen *pen, const place *pl
     return 1;
 }
 
-/* -- last page -------------------------------------------------------------------------------------------------------------------- */
+/* -- last page --------------------------------------------------------------------------------------------------- */
 
 static const char *const guide[] = {
-    "1. Print every page at 100 % (no 'fit to page') on matt paper; the parts on card of 160 to 250 g/m2. Gloss shines and spoils both views.",
-    "2. Lay a steel rule on the printed ruler of page 1: 100 mm must be 100 mm within 0.5 mm. If not, print again at the right scale.",
-    "3. Cut out the base along its outline and glue it to something flat and stiff (glass, aluminium composite, plywood of 6 mm).",
-    "4. Cut the parts along the solid lines. Score the dashed lines with a blunt knife and fold them away from you, printed side out.",
-    "5. Glue the side flaps first, so that each part becomes a box open below. Then fold the foot flaps inwards, and glue the part onto the",
-    "   outline of its name on the base. The sketch and the table give the heights: keep them within 0.5 mm. Do not press the tops hollow.",
-    "6. Mount it upright or lying, with all four marks in sight of both cameras, at the distance where the marks are 24 to 48 pixels wide in",
-    "   the image and the whole sheet covers 10 to 20 % of it. Leaning it back by 10 to 30 degrees is good. Even light, no shadow edges.",
-    "7. For judging, the loop needs the target in a second pose: a move by a tenth of its width or a turn by ten degrees is enough.",
-    "8. Tell the library the focal length (px) and the principal point of the rectified pair: they bend the truth of the raised parts when the sheet leans.",
+    "1. Print every page at 100 % (no 'fit to page') on matt paper; the parts on card of 160 to 250 g/m2. "
+    "Gloss shines and spoils both views.",
+    "2. Lay a steel rule on the printed ruler of page 1: 100 mm must be 100 mm within 0.5 mm. If not, print "
+    "again at the right scale.",
+    "3. Cut out the base along its outline and glue it to something flat and stiff (glass, aluminium "
+    "composite, plywood of 6 mm).",
+    "4. Cut the parts along the solid lines. Score the dashed lines with a blunt knife and fold them away "
+    "from you, printed side out.",
+    "5. Glue the side flaps first, so that each part becomes a box open below. Then fold the foot flaps "
+    "inwards, and glue the part onto the",
+    "   outline of its name on the base. The sketch and the table give the heights: keep them within 0.5 mm. "
+    "Do not press the tops hollow.",
+    "6. Mount it upright or lying, with all four marks in sight of both cameras, at the distance where the "
+    "marks are 24 to 48 pixels wide in",
+    "   the image and the whole sheet covers 10 to 20 % of it. Leaning it back by 10 to 30 degrees is good. "
+    "Even light, no shadow edges.",
+    "7. For judging, the loop needs the target in a second pose: a move by a tenth of its width or a turn by "
+    "ten degrees is enough.",
+    "8. Tell the library the focal length (px) and the principal point of the rectified pair: they bend the "
+    "truth of the raised parts when the sheet leans.",
 };
 
 static void draw_table(const stad_target *t, const sheet_pen *pen, double x, double y)
@@ -226,9 +246,9 @@ static void draw_table(const stad_target *t, const sheet_pen *pen, double x, dou
     char line[160];
     for (int i = 0; i < t->facet_count; i++) {
         const stad_target_facet *f = &t->facets[i];
-        snprintf(line, sizeof line, "%-8s corners (x y h) mm: (%d %d %d)  (%d %d %d)  (%d %d %d)  (%d %d %d)", t->parts[f->part],
-                 f->x_mm[0], f->y_mm[0], f->h_mm[0], f->x_mm[1], f->y_mm[1], f->h_mm[1], f->x_mm[2], f->y_mm[2], f->h_mm[2],
-                 f->x_mm[3], f->y_mm[3], f->h_mm[3]);
+        snprintf(line, sizeof line, "%-8s corners (x y h) mm: (%d %d %d)  (%d %d %d)  (%d %d %d)  (%d %d %d)",
+                 t->parts[f->part], f->x_mm[0], f->y_mm[0], f->h_mm[0], f->x_mm[1], f->y_mm[1], f->h_mm[1],
+                 f->x_mm[2], f->y_mm[2], f->h_mm[2], f->x_mm[3], f->y_mm[3], f->h_mm[3]);
         pen->text(pen->to, at(x, y + 5 * i), 3.2, line);
     }
 }
@@ -252,7 +272,8 @@ static void draw_side_view(const stad_target *t, const sheet_pen *pen, double x,
             pen->text(pen->to, at(left, y + row + 4), 2.8, t->parts[f->part]);
     }
     pen->line(pen->to, at(x, y + LOWER_ROW_MM), at(x + scale * t->width_mm, y + LOWER_ROW_MM), SHEET_CUT);
-    pen->text(pen->to, at(x + scale * t->width_mm + 3, y), 2.8, "seen from below, half size: upper row of parts");
+    pen->text(pen->to, at(x + scale * t->width_mm + 3, y), 2.8,
+              "seen from below, half size: upper row of parts");
     pen->text(pen->to, at(x + scale * t->width_mm + 3, y + LOWER_ROW_MM), 2.8, "lower row of parts");
 }
 
@@ -260,8 +281,8 @@ static void draw_guide(const stad_target *t, const sheet_pen *pen)
 {
     double x = 12, y = 16;
     char title[96];
-    snprintf(title, sizeof title, "Target \"%s\": base %d x %d mm, marks of %d mm. How to build and mount it", t->name, t->width_mm,
-             t->height_mm, t->tag_mm);
+    snprintf(title, sizeof title, "Target \"%s\": base %d x %d mm, marks of %d mm. How to build and mount it",
+             t->name, t->width_mm, t->height_mm, t->tag_mm);
     pen->text(pen->to, at(x, y), 5, title);
     for (size_t i = 0; i < sizeof guide / sizeof guide[0]; i++)
         pen->text(pen->to, at(x, y + 9 + 6 * (double)i), 3.4, guide[i]);
@@ -283,9 +304,11 @@ int sheet_draw(const stad_target *target, const sheet_paper *paper, const sheet_
     int net_pages = arrange(target, paper, places), pages = 2 + net_pages;
     if (net_pages < 0)
         return 0;
-    int ok = pen->begin(pen->to, paper->width_mm, paper->height_mm, 1, pages) && draw_base(target, paper, pen);
+    int ok =
+        pen->begin(pen->to, paper->width_mm, paper->height_mm, 1, pages) && draw_base(target, paper, pen);
     for (int page = 0; ok && page < net_pages; page++)
-        ok = pen->begin(pen->to, paper->width_mm, paper->height_mm, 2 + page, pages) && draw_nets(target, pen, places, page);
+        ok = pen->begin(pen->to, paper->width_mm, paper->height_mm, 2 + page, pages) &&
+             draw_nets(target, pen, places, page);
     if (ok && pen->begin(pen->to, paper->width_mm, paper->height_mm, pages, pages))
         draw_guide(target, pen);
     else

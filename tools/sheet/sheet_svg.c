@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * pages -> [sheet/sheet_svg.c] -> files - a pen that writes one SVG a page: name-1.svg, name-2.svg ...
  *
- * Print is embedded as PNG with stored (uncompressed) blocks, so that no version of a compressor can change the bytes. */
+ * Print is embedded as PNG with stored (uncompressed) blocks, so that no version of a compressor can change the
+ * bytes. */
 #include "sheet.h"
 
 #include <stdint.h>
@@ -14,7 +15,7 @@ typedef struct svg {
     int lost;
 } svg;
 
-/* -- base 64, PNG ------------------------------------------------------------------------------------------------------------- */
+/* -- base 64, PNG ------------------------------------------------------------------------------------------------ */
 
 typedef struct coder {
     FILE *out;
@@ -111,7 +112,7 @@ static void png(FILE *out, const sheet_raster *r)
     finish(&c);
 }
 
-/* -- pen ------------------------------------------------------------------------------------------------------------------------ */
+/* -- pen --------------------------------------------------------------------------------------------------------- */
 
 static void close_page(svg *s)
 {
@@ -137,16 +138,20 @@ static int svg_begin(void *to, double width_mm, double height_mm, int page, int 
     free(path);
     if (!s->out)
         return 0;
-    fprintf(s->out, "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"%.3fmm\" height=\"%.3fmm\" viewBox=\"0 0 %.3f %.3f\">\n",
+    fprintf(s->out,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+            "width=\"%.3fmm\" height=\"%.3fmm\" viewBox=\"0 0 %.3f %.3f\">\n",
             width_mm, height_mm, width_mm, height_mm);
     return 1;
 }
 
 static void svg_line(void *to, sheet_point a, sheet_point b, int kind)
 {
-    static const char *const style[] = {"stroke=\"#000\" stroke-width=\".15\"", "stroke=\"#000\" stroke-width=\".15\" stroke-dasharray=\"2 1\"",
+    static const char *const style[] = {"stroke=\"#000\" stroke-width=\".15\"",
+                                        "stroke=\"#000\" stroke-width=\".15\" stroke-dasharray=\"2 1\"",
                                         "stroke=\"#595959\" stroke-width=\".08\""};
-    fprintf(((svg *)to)->out, "<line x1=\"%.3f\" y1=\"%.3f\" x2=\"%.3f\" y2=\"%.3f\" %s/>\n", a.x, a.y, b.x, b.y, style[kind]);
+    fprintf(((svg *)to)->out, "<line x1=\"%.3f\" y1=\"%.3f\" x2=\"%.3f\" y2=\"%.3f\" %s/>\n", a.x, a.y, b.x,
+            b.y, style[kind]);
 }
 
 static void svg_fill(void *to, const sheet_point *p, int count, int grey)
@@ -161,8 +166,10 @@ static void svg_fill(void *to, const sheet_point *p, int count, int grey)
 static void svg_raster(void *to, const sheet_raster *r)
 {
     FILE *out = ((svg *)to)->out;
-    fprintf(out, "<image width=\"%d\" height=\"%d\" transform=\"matrix(%.6f %.6f %.6f %.6f %.3f %.3f)\" xlink:href=\"data:image/png;base64,", r->width, r->height,
-            r->u.x, r->u.y, r->v.x, r->v.y, r->origin.x, r->origin.y);
+    fprintf(out,
+            "<image width=\"%d\" height=\"%d\" transform=\"matrix(%.6f %.6f %.6f %.6f %.3f %.3f)\" "
+            "xlink:href=\"data:image/png;base64,",
+            r->width, r->height, r->u.x, r->u.y, r->v.x, r->v.y, r->origin.x, r->origin.y);
     png(out, r);
     fputs("\"/>\n", out);
 }
@@ -170,7 +177,10 @@ static void svg_raster(void *to, const sheet_raster *r)
 static void svg_text(void *to, sheet_point at, double size_mm, const char *words)
 {
     FILE *out = ((svg *)to)->out;
-    fprintf(out, "<text x=\"%.3f\" y=\"%.3f\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"%.3f\" xml:space=\"preserve\">", at.x, at.y, size_mm);
+    fprintf(out,
+            "<text x=\"%.3f\" y=\"%.3f\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"%.3f\" "
+            "xml:space=\"preserve\">",
+            at.x, at.y, size_mm);
     for (const char *c = words; *c; c++)
         if (*c == '<' || *c == '&')
             fputs(*c == '<' ? "&lt;" : "&amp;", out);

@@ -14,7 +14,7 @@
 #define STORY_HEIGHT      360
 #define STORY_DISPARITIES 64
 
-/* -- world: a room with the target in one of four poses; the views are rendered once, every frame has noise of its own ------ */
+/* -- world: a room with the target in one of four poses; the views are rendered once, every frame has noise of its own  */
 
 enum story_pose { STORY_POSES = 4 };
 
@@ -39,7 +39,7 @@ void story_world_free(story_world *w);
 /* A frame as the sensors give it: frame->left and ->right are written, which the caller has allocated. */
 void story_expose(story_world *w, int pose, story_frame *frame);
 
-/* -- board: matcher, calibration loop, flash ---------------------------------------------------------------------------------- */
+/* -- board: matcher, calibration loop, flash --------------------------------------------------------------------- */
 
 #define STORY_SECTOR 4096u
 

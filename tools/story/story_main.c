@@ -42,7 +42,8 @@ static int write_maps(telling *t, const chapter *c, disparity *d, const story_fr
 }
 
 /* Mean over five frames of the bad share outside the target; the last one's map is kept. */
-static int look(telling *t, chapter *c, const char *name, story_world *w, const stad_params *p, const stad_rig *rig)
+static int look(telling *t, chapter *c, const char *name, story_world *w, const stad_params *p,
+                const stad_rig *rig)
 {
     disparity d;
     c->name = name;
@@ -80,8 +81,8 @@ static const char *verdict_name(int v)
 
 static void tell_params(const char *what, const stad_params *p)
 {
-    printf("  %s: p1 %d p2 %d block %d uniqueness %d cap %d disp12 %d\n", what, p->p1, p->p2, p->block_size, p->uniqueness_ratio, p->pre_filter_cap,
-           p->disp12_max_diff);
+    printf("  %s: p1 %d p2 %d block %d uniqueness %d cap %d disp12 %d\n", what, p->p1, p->p2, p->block_size,
+           p->uniqueness_ratio, p->pre_filter_cap, p->disp12_max_diff);
 }
 
 /* Turns the pump until it rests, with live frames where it watches. */
@@ -106,10 +107,13 @@ static int write_summary(const telling *t, const stad_calib_report *r, int resto
     if (!out)
         return TOOL_FILE;
     fprintf(out,
-            "{\"healthy\": {\"bad\": %.2f}, \"disturbed\": {\"bad\": %.2f}, \"corrected\": {\"bad\": %.2f}, \"after\": {\"bad\": %.2f},\n"
-            " \"verdict_before\": \"%s\", \"verdict_after\": \"%s\", \"adopted\": %s, \"restored\": %s,\n \"evaluations\": %d, \"frames\": %d}\n",
-            t->healthy_map.bad, t->disturbed_map.bad, t->corrected_map.bad, t->after_map.bad, verdict_name(r->verdict_before),
-            verdict_name(r->verdict_after), r->outcome == STAD_CALIB_ADOPTED ? "true" : "false", restored ? "true" : "false", r->evaluations,
+            "{\"healthy\": {\"bad\": %.2f}, \"disturbed\": {\"bad\": %.2f}, \"corrected\": {\"bad\": %.2f}, "
+            "\"after\": {\"bad\": %.2f},\n"
+            " \"verdict_before\": \"%s\", \"verdict_after\": \"%s\", \"adopted\": %s, \"restored\": %s,\n "
+            "\"evaluations\": %d, \"frames\": %d}\n",
+            t->healthy_map.bad, t->disturbed_map.bad, t->corrected_map.bad, t->after_map.bad,
+            verdict_name(r->verdict_before), verdict_name(r->verdict_after),
+            r->outcome == STAD_CALIB_ADOPTED ? "true" : "false", restored ? "true" : "false", r->evaluations,
             t->board.frames);
     return fclose(out) == 0 ? TOOL_OK : TOOL_FILE;
 }
@@ -131,16 +135,19 @@ static int tell(telling *t)
     work(t, &t->disturbed);
     stad_calib_report r = *stad_calib_report_of(c);
     stad_setup adopted = *stad_calib_setup(c);
-    printf("  rig %s -> %s, %d evaluations; on the other pose %.1f %% -> %.1f %%; outcome %d\n", verdict_name(r.verdict_before),
-           verdict_name(r.verdict_after), r.evaluations, r.judge_before_q20 / 10485.76, r.judge_after_q20 / 10485.76, r.outcome);
+    printf("  rig %s -> %s, %d evaluations; on the other pose %.1f %% -> %.1f %%; outcome %d\n",
+           verdict_name(r.verdict_before), verdict_name(r.verdict_after), r.evaluations,
+           r.judge_before_q20 / 10485.76, r.judge_after_q20 / 10485.76, r.outcome);
     tell_params("before", &factory.params);
     tell_params("after ", &adopted.params);
     if (look(t, &t->corrected_map, "corrected", &t->disturbed, &factory.params, &adopted.rig) != TOOL_OK ||
         look(t, &t->after_map, "after", &t->disturbed, &adopted.params, &adopted.rig) != TOOL_OK)
         return t->fail.status;
     int slot = story_board_reset(&t->board);
-    int restored = slot >= 0 && slot != STAD_SLOT_FACTORY && memcmp(&adopted, stad_calib_setup(c), sizeof adopted) == 0;
-    printf("\nafter a reset the setup comes from slot %d: %s\n", slot, restored ? "the adopted one" : "NOT the adopted one");
+    int restored =
+        slot >= 0 && slot != STAD_SLOT_FACTORY && memcmp(&adopted, stad_calib_setup(c), sizeof adopted) == 0;
+    printf("\nafter a reset the setup comes from slot %d: %s\n", slot,
+           restored ? "the adopted one" : "NOT the adopted one");
     if (write_summary(t, &r, restored) != TOOL_OK)
         return tool_fail_set(&t->fail, TOOL_FILE, "%s/summary.json cannot be written", t->folder);
     return r.outcome == STAD_CALIB_ADOPTED && restored ? TOOL_OK : TOOL_REFUSED;
@@ -155,7 +162,8 @@ int main(int argc, char **argv)
         return TOOL_USAGE;
     }
     mkdir(t.folder, 0777);
-    if (story_board_start(&t.board, &t.fail) != TOOL_OK || picture_alloc(&t.frame.left, STORY_WIDTH, STORY_HEIGHT, 1, &t.fail) != TOOL_OK ||
+    if (story_board_start(&t.board, &t.fail) != TOOL_OK ||
+        picture_alloc(&t.frame.left, STORY_WIDTH, STORY_HEIGHT, 1, &t.fail) != TOOL_OK ||
         picture_alloc(&t.frame.right, STORY_WIDTH, STORY_HEIGHT, 1, &t.fail) != TOOL_OK) {
         fprintf(stderr, "stad-story: %s\n", t.fail.text);
         return t.fail.status;
