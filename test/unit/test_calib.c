@@ -462,7 +462,7 @@ void test_calib_config_out_of_range_is_refused(void)
     REFUSES(config, patience, 0);
     REFUSES(config, probation_frames, -1);
     REFUSES(config, budget, 3);
-    REFUSES(config, budget, 201);
+    REFUSES(config, budget, STAD_TUNE_LOG + 1);
     REFUSES(config, min_block_size, 2);
     REFUSES(config, min_block_size, 13);
     REFUSES(config, threshold_q16, -1);

@@ -87,7 +87,7 @@ typedef struct stad_calib_config {
     int16_t pose_px;          /* mean move of the corners that makes another pose; default 6 */
     int16_t patience;         /* frames in vain before a run is given up; default 60 */
     int16_t probation_frames; /* live frames after adoption before the second look; default 64; 0 = none */
-    int16_t budget;           /* evaluations a run, picks and judgements included; 4..200, default 70 */
+    int16_t budget;           /* evaluations a run, picks and judgements included; 4..240, default 70 */
     int16_t min_block_size;   /* smallest block that is tried; default 3 */
     int32_t threshold_q16;    /* error that counts as wrong; default 1 px */
     int32_t penalty_q16;      /* lambda: per squared octave from the start; default .01 */
