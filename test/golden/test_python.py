@@ -152,6 +152,8 @@ def test_score_and_tuner_work_together():
     point, best = t.best()
     trace = t.trace()
     assert trace[0][0] == start and best == min(c for _, c in trace) and best < trace[0][1] and best == cost(point)
+    found = stadimeter.StereoSGBM_create(0, 32, **stadimeter.as_opencv(start)).compute(left, right)[:, 32:] / 16.0
+    assert abs(trace[0][1] - ((found < 0) | (np.abs(found - 12) > 1)).mean()) < 1e-6, "the cost by the library and by numpy"
     half = stadimeter.Tuner(start, budget=25)
     for _, c in trace[:10]:
         half.ask()
