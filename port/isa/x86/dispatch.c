@@ -41,10 +41,19 @@ const char *stad_x86_tier_name(void)
     return tier_names[stad_x86_tier()];
 }
 
-/* The widest tier whose 16-bit lanes divide n; 8 of them always do (kernel.h). */
+/* The widest tier whose 16-bit lanes divide n at least twice: a column of one vector alone waits for itself on the
+ * horizontal path. 8 lanes always divide n (kernel.h). */
 static int tier_for(int32_t n)
 {
-    const int tier = stad_x86_tier(), fitting = n % 32 == 0 ? TIER_AVX512 : n % 16 == 0 ? TIER_AVX2 : TIER_SSE41;
+    const int fitting = n % 32 == 0 && n >= 64 ? TIER_AVX512 : n % 16 == 0 && n >= 32 ? TIER_AVX2 : TIER_SSE41;
+    const int tier = stad_x86_tier();
+    return tier < fitting ? tier : fitting;
+}
+
+/* Pixel costs are made in bytes: the widest tier one vector of which is filled. */
+static int tier_for_bytes(int32_t n)
+{
+    const int tier = stad_x86_tier(), fitting = n >= 64 ? TIER_AVX512 : n >= 32 ? TIER_AVX2 : TIER_SSE41;
     return tier < fitting ? tier : fitting;
 }
 
@@ -73,12 +82,12 @@ void stad_range_row_x86(const uint8_t *plane, int32_t width, int reverse, uint8_
 
 void stad_cost_row_u8_x86(const stad_cost_job *job, uint8_t *cost)
 {
-    STAD_DISPATCH(stad_x86_tier(), stad_cost_row_u8, (job, cost));
+    STAD_DISPATCH(tier_for_bytes(job->disparities), stad_cost_row_u8, (job, cost));
 }
 
 void stad_cost_row_u16_x86(const stad_cost_job *job, uint16_t *cost)
 {
-    STAD_DISPATCH(stad_x86_tier(), stad_cost_row_u16, (job, cost));
+    STAD_DISPATCH(tier_for_bytes(job->disparities), stad_cost_row_u16, (job, cost));
 }
 
 void stad_box_add_row_u8_x86(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight)

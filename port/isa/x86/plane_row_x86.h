@@ -23,7 +23,7 @@ void STAD_TIER(stad_prefilter_row)(const uint8_t *above, const uint8_t *row, con
     const vec c = vec_set(cap);
     uint8_t *gradient = planes, *intensity = planes + width;
     if (channels != 1 || width < 2 * VEC_LANES + 2) {
-        stad_prefilter_row_c(above, row, below, width, channels, cap, planes);
+        STAD_NARROWER(stad_prefilter_row)(above, row, below, width, channels, cap, planes);
         return;
     }
     for (int32_t x = 1; x < width - 1; x += 2 * VEC_LANES) {
@@ -58,7 +58,7 @@ void STAD_TIER(stad_range_row)(const uint8_t *plane, int32_t width, int reverse,
 {
     const int32_t block = 2 * VEC_LANES;
     if (width < block + 2) {
-        stad_range_row_c(plane, width, reverse, out);
+        STAD_NARROWER(stad_range_row)(plane, width, reverse, out);
         return;
     }
     for (int32_t x = 1; x < width - 1; x += block) {
@@ -97,7 +97,7 @@ void STAD_TIER(stad_median_row)(const int16_t *above, const int16_t *row, const 
 {
     int16_t edge[3];
     if (width < VEC_LANES + 2) {
-        stad_median_row_c(above, row, below, width, out);
+        STAD_NARROWER(stad_median_row)(above, row, below, width, out);
         return;
     }
     for (int32_t x = 1; x < width - 1; x += VEC_LANES) {
