@@ -79,7 +79,7 @@ PAIR_INLINE pair bytes_set(uint32_t v)
 /* Bytes 0 and 2, and bytes 1 and 3, as 16-bit lanes. */
 PAIR_INLINE pair even_bytes(pair v)
 {
-    return __uxtb16(v);
+    return v & 0x00FF00FFu;
 }
 
 PAIR_INLINE pair odd_bytes(pair v)
