@@ -40,6 +40,8 @@ accept() {
     rm -f stdout.tmp stderr.tmp
 }
 
+fail_check() { failures=$((failures + 1)); echo "FAILED: $*"; }
+
 accept scene -o s --width 96 --height 48 --num-disparities 16 --plates 3
 accept scene -o other --width 80 --height 48 --num-disparities 16 --plates 3
 m=(match s/left.png s/right.png -o out.npy --num-disparities 16)
@@ -164,6 +166,62 @@ old=$(sha256sum <kept.npy)
     { failures=$((failures + 1)); echo "FAILED: a full disk: $(cat stderr.tmp)"; }
 checks=$((checks + 1))
 rm stderr.tmp
+
+### an output that is an input, or another output ###
+ln -s s/left.png link.png
+ln s/left.png hard.png
+ln -s fresh.npy to_fresh.npy
+expect 2 's/left.png: is the input s/left.png' match s/left.png s/right.png -o s/left.png --num-disparities 16
+expect 2 'link.png: is the input s/left.png' match s/left.png s/right.png -o link.png --num-disparities 16
+expect 2 'hard.png: is the input s/left.png' match s/left.png s/right.png -o hard.png --num-disparities 16
+expect 2 's/../s/right.png: is the input s/right.png' "${m[@]}" --preview s/../s/right.png
+expect 2 'two.png and ./two.png: two outputs in one file' match s/left.png s/right.png -o two.png --num-disparities 16 --preview ./two.png
+expect 2 'fresh.npy and to_fresh.npy: two outputs in one file' match s/left.png s/right.png -o fresh.npy --num-disparities 16 --right to_fresh.npy
+echo '{}' >empty_params.json
+expect 2 'empty_params.json: is the input' "${t[@]}" --params empty_params.json --json empty_params.json
+expect 2 's/disp.pfm: is the input' "${t[@]}" --json s/disp.pfm
+expect 2 'both and both: two outputs' "${t[@]}" --json both --header both
+expect 2 'disp.npy: is the input' "${e[@]}" --report disp.npy
+mkdir rec && cp s/left.png rec/0_left.png && cp s/right.png rec/0_right.png
+expect 2 'rec/0_left.png: is the input rec/0_left.png' simulate rec --num-disparities 16 --csv rec/0_left.png
+ln -s /dev/null null.npy
+accept match s/left.png s/right.png -o null.npy --num-disparities 16 --right null.npy
+rm hard.png null.npy
+
+### links, pipes, and a standard output that is closed ###
+accept match s/left.png s/right.png -o to_fresh.npy --num-disparities 16
+[ -L to_fresh.npy ] && cmp -s fresh.npy disp.npy || fail_check "a link to a new file is not written through"
+accept match s/left.png s/right.png -o to_fresh.npy --num-disparities 16
+[ -L to_fresh.npy ] && cmp -s fresh.npy disp.npy || fail_check "a link to a file is not written through"
+ln -s loop_b.npy loop_a.npy
+ln -s loop_a.npy loop_b.npy
+expect 3 'loop_a.npy: cannot be written: Too many levels' match s/left.png s/right.png -o loop_a.npy --num-disparities 16
+mkfifo pipe.npy
+timeout 20 cat pipe.npy >piped.npy &
+accept match s/left.png s/right.png -o pipe.npy --num-disparities 16
+wait $!
+[ -p pipe.npy ] && cmp -s piped.npy disp.npy || fail_check "a pipe is not written as it is"
+rm pipe.npy piped.npy fresh.npy to_fresh.npy loop_a.npy loop_b.npy
+"$stad" "${m[@]}" >&- 2>stderr.tmp
+[ $? = 0 ] && cmp -s out.npy disp.npy || fail_check "nothing to print and a closed standard output: $(cat stderr.tmp)"
+"$stad" "${e[@]}" >&- 2>stderr.tmp
+[ $? = 3 ] && grep -q 'output could not be written' stderr.tmp || fail_check "a closed standard output loses what is printed: $(cat stderr.tmp)"
+"$stad" "${t[@]}" --json closed.json >&- 2>stderr.tmp
+[ $? = 3 ] && grep -q '^}' closed.json && ! grep -q 'ncg on' closed.json || fail_check "a closed standard output and a file"
+rm -f out.npy closed.json stderr.tmp
+
+### an end by a limit or a signal leaves nothing beside the output ###
+(ulimit -f 4; exec "$stad" match s/left.png s/right.png -o big.npy --num-disparities 16) 2>stderr.tmp
+[ $? = 3 ] && grep -q 'big.npy: cannot be written: File too large' stderr.tmp && ! ls big.npy* >/dev/null 2>&1 ||
+    fail_check "a limit on the size of files: $(cat stderr.tmp)"
+"$stad" scene -o large --width 2048 --height 1024 --num-disparities 16 >/dev/null &
+child=$!
+for _ in $(seq 500); do ls large/*.png.* >/dev/null 2>&1 && break; sleep 0.01; done
+ls large/*.png.* >/dev/null 2>&1 || echo "note: no file was caught under way"
+kill -TERM $child
+wait $child 2>/dev/null
+[ $? = 143 ] && ! ls large/*.* 2>/dev/null | grep -q 'png\.\|pfm\.' || fail_check "a signal: $(ls large)"
+rm -rf large rec stderr.tmp
 
 ### truth ###
 head -c 100 s/disp.pfm >cut.pfm

@@ -3,6 +3,8 @@
 #include "whole_file.h"
 
 #include <errno.h>
+#include <limits.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -84,16 +86,90 @@ static char *name_beside(const char *path)
     return b;
 }
 
-/* Where a path through symbolic links ends, so that the link stays and its target is replaced. */
+/* "folder/name" of two parts; malloc. */
+static char *joined(const char *folder, const char *name)
+{
+    size_t n = strlen(folder);
+    char *b = malloc(n + strlen(name) + 2);
+    if (!b)
+        return NULL;
+    memcpy(b, folder, n);
+    b[n] = '/';
+    strcpy(b + n + (n == 0 || folder[n - 1] != '/'), name);
+    return b;
+}
+
+/* The file that does not exist yet: its folder's real path, and its name. */
+static char *resolved_new(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    char folder[PATH_MAX];
+    size_t n = slash ? (size_t)(slash - path) + 1 : 1;
+    if (n >= sizeof folder)
+        return strdup(path);
+    memcpy(folder, slash ? path : ".", n);
+    folder[n] = 0;
+    char *real = realpath(folder, NULL);
+    char *r = real ? joined(real, slash ? slash + 1 : path) : strdup(path);
+    free(real);
+    return r;
+}
+
+#define LINKS_MAX 40
+
+/* Where a path through symbolic links ends, be there a file or not, so that the link stays and its target is replaced. malloc. */
 static char *resolved(const char *path)
 {
+    char target[PATH_MAX];
     char *r = realpath(path, NULL);
-    if (!r) {
-        r = malloc(strlen(path) + 1);
-        if (r)
-            strcpy(r, path);
+    if (r)
+        return r;
+    r = resolved_new(path);
+    for (int i = 0; r && i < LINKS_MAX; i++) {
+        ssize_t n = readlink(r, target, sizeof target - 1);
+        char *slash = strrchr(r, '/');
+        if (n <= 0 || !slash)
+            return r;
+        target[n] = 0;
+        *slash = 0;
+        char *next = target[0] == '/' ? strdup(target) : joined(r, target);
+        free(r);
+        r = next ? resolved_new(next) : NULL;
+        free(next);
     }
-    return r;
+    free(r);
+    errno = ELOOP;
+    return NULL;
+}
+
+/* Two names of one file: by device and inode where both exist, by path where one does not yet. */
+static int is_same_file(const char *a, const char *b)
+{
+    struct stat s, t;
+    int has_a = stat(a, &s) == 0, has_b = stat(b, &t) == 0;
+    if (has_a && has_b)
+        return S_ISREG(s.st_mode) && s.st_dev == t.st_dev && s.st_ino == t.st_ino;
+    if (has_a || has_b)
+        return 0;
+    char *real_a = resolved(a), *real_b = resolved(b);
+    int same = real_a && real_b && strcmp(real_a, real_b) == 0;
+    free(real_a);
+    free(real_b);
+    return same;
+}
+
+int tool_out_apart(const char *const *out, int outs, const char *const *in, int ins, tool_fail *f)
+{
+    for (int i = 0; i < outs; i++) {
+        for (int k = 0; k < ins && out[i]; k++)
+            if (in[k] && is_same_file(out[i], in[k]))
+                return tool_fail_set(f, TOOL_USAGE, "%s: is the input %s; an output must be another file",
+                                     out[i], in[k]);
+        for (int k = 0; k < i && out[i]; k++)
+            if (out[k] && is_same_file(out[i], out[k]))
+                return tool_fail_set(f, TOOL_USAGE, "%s and %s: two outputs in one file", out[k], out[i]);
+    }
+    return TOOL_OK;
 }
 
 static int folder_writable(const char *path)
@@ -137,8 +213,33 @@ int tool_out_check(const char *path, tool_fail *f)
     return TOOL_OK;
 }
 
+/* The one file under way, for a signal to remove. */
+static const char *volatile under_way;
+
+/* With SA_RESETHAND: the signal raised again ends the program once this returns. */
+static void drop_and_end(int signal_number)
+{
+    const char *path = under_way;
+    if (path)
+        unlink(path);
+    raise(signal_number);
+}
+
+/* A limit on the size of files shows as a failed write then, like a full disk. Signals that are ignored stay so. */
+static void watch_signals(void)
+{
+    static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction is, drop = {.sa_handler = drop_and_end, .sa_flags = (int)SA_RESETHAND};
+    signal(SIGXFSZ, SIG_IGN);
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
+        if (sigaction(ends[i], NULL, &is) == 0 && is.sa_handler == SIG_DFL)
+            sigaction(ends[i], &drop, NULL);
+}
+
 static FILE *open_beside(tool_out *o)
 {
+    watch_signals();
+    under_way = o->beside; /* before the file: between the two the name is that of no file */
     int fd = mkstemp(o->beside);
     if (fd < 0)
         return NULL;
@@ -156,6 +257,7 @@ static FILE *open_beside(tool_out *o)
 
 static void forget(tool_out *o)
 {
+    under_way = NULL;
     free(o->final);
     free(o->beside);
     memset(o, 0, sizeof *o);

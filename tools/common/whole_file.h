@@ -15,8 +15,9 @@ extern "C" {
 /* Reads a file of at most `max` bytes into *bytes (malloc; the caller frees), with a zero byte after its end. */
 int tool_read_whole(const char *path, size_t max, unsigned char **bytes, size_t *size, tool_fail *f);
 
-/* A file under way. It is written beside its final name and renamed at the end, so that a reader never sees half of it and a
- * failure leaves what was there before. A device or a pipe is written as it is. */
+/* A file under way, one at a time. It is written beside its final name and renamed at the end, so that a reader never sees half
+ * of it and a failure or a signal leaves what was there before. A symbolic link stays: the file it names is written. A device
+ * or a pipe is written as it is. */
 typedef struct tool_out {
     FILE *stream;
     char *final;  /* the name it gets */
@@ -25,6 +26,9 @@ typedef struct tool_out {
 
 /* Can `path` be written? Answers before the work is done, not after; changes nothing. */
 int tool_out_check(const char *path, tool_fail *f);
+
+/* Is every output another file than all inputs and all other outputs, whatever the names? NULL: not wanted. */
+int tool_out_apart(const char *const *out, int outs, const char *const *in, int ins, tool_fail *f);
 
 int tool_out_open(tool_out *o, const char *path, tool_fail *f);
 

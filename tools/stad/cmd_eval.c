@@ -174,7 +174,10 @@ static int work(const eval_job *j, tool_fail *f)
     if (j->min_disparity == INT16_MAX || j->num_disparities == 0)
         return tool_fail_set(f, TOOL_USAGE,
                              "--min-disparity and --num-disparities are wanted: the range that was matched");
-    int status = disparity_read(&d, j->disp, (int)j->min_disparity, f);
+    const char *const ins[] = {j->disp, j->truth, j->mask};
+    int status = tool_out_apart(&j->report, 1, ins, 3, f);
+    if (status == TOOL_OK)
+        status = disparity_read(&d, j->disp, (int)j->min_disparity, f);
     if (status == TOOL_OK)
         status = truth_read(&t, j->truth, j->scale, (int)j->min_disparity, f);
     if (status == TOOL_OK && j->mask)

@@ -70,7 +70,11 @@ static int read_options(match_job *j, int argc, char **argv, tool_fail *f)
 static int check_outputs(const match_job *j, const stad_params *p, tool_fail *f)
 {
     const char *pictures[2] = {j->preview, j->confidence};
-    int status = disparity_check_path(j->out, p->min_disparity, p->num_disparities, f);
+    const char *const outs[] = {j->out, j->preview, j->confidence, j->right_out};
+    const char *const ins[] = {j->left, j->right, j->options.params_path};
+    int status = tool_out_apart(outs, 4, ins, 3, f);
+    if (status == TOOL_OK)
+        status = disparity_check_path(j->out, p->min_disparity, p->num_disparities, f);
     if (status == TOOL_OK && j->right_out)
         status = disparity_check_path(j->right_out, p->min_disparity, p->num_disparities, f);
     for (int i = 0; i < 2 && status == TOOL_OK; i++) {

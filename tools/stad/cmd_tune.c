@@ -214,9 +214,24 @@ static int read_options(tune_job *j, int argc, char **argv, tool_fail *f)
     return take_words(j, argc, argv, f) ? tool_report(argv[0], f) : -1;
 }
 
+static int check_apart(const tune_job *j, tool_fail *f)
+{
+    const char *const outs[] = {j->json, j->header, j->report};
+    const char *const files[] = {j->options.params_path, j->list};
+    int status = tool_out_apart(outs, 3, files, 2, f);
+    for (int i = 0; i < j->set.count && status == TOOL_OK; i++) {
+        const scored_scene *c = &j->set.scene[i];
+        const char *const ins[] = {c->left_path, c->right_path, c->truth_path, c->mask_path};
+        status = tool_out_apart(outs, 3, ins, 4, f);
+    }
+    return status;
+}
+
 static int check_outputs(const tune_job *j, tool_fail *f)
 {
-    int status = j->json ? tool_out_check(j->json, f) : TOOL_OK;
+    int status = check_apart(j, f);
+    if (status == TOOL_OK && j->json)
+        status = tool_out_check(j->json, f);
     if (status == TOOL_OK && j->header)
         status = tool_out_check(j->header, f);
     if (status == TOOL_OK && j->report)

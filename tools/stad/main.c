@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * stad/main.c - the command-line tool: finds the command and runs it. */
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "stad/config.h"
 #include "tool.h"
@@ -61,8 +63,18 @@ static int dispatch(int argc, char **argv)
     return usage(stderr);
 }
 
+/* A standard stream that is closed would lend its number to the first file opened. What holds its place instead refuses what the
+ * stream is for, so that only what is really printed can be lost. */
+static void hold_standard_streams(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) == -1)
+            (void)!open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 int main(int argc, char **argv)
 {
+    hold_standard_streams();
     int status = dispatch(argc, argv);
     int lost = ferror(stdout);
     lost |= fclose(stdout) != 0;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/whole_file.h"
 #include "simulate.h"
 #include "simulate_flash.h"
 #include "tool.h"
@@ -253,10 +254,24 @@ static int first_frame(simulation *s, tool_fail *f)
     return status;
 }
 
+static int check_apart(const simulation *s, tool_fail *f)
+{
+    const recording *r = &s->frames;
+    const char *const outs[] = {s->csv, s->json, s->report}, *const files[] = {s->where, s->options.params_path};
+    int status = tool_out_apart(outs, 3, files, 2, f);
+    for (int i = 0; i < r->count && r->left && status == TOOL_OK; i++) {
+        const char *const ins[] = {r->left[i], r->right ? r->right[i] : NULL};
+        status = tool_out_apart(outs, 3, ins, 2, f);
+    }
+    return status;
+}
+
 int simulate_run(simulation *s, tool_fail *f)
 {
     double start = tool_seconds();
     int status = recording_open(&s->frames, s->where, s->side_by_side, s->raw_width, s->raw_height, f);
+    if (status == TOOL_OK)
+        status = check_apart(s, f);
     if (status == TOOL_OK)
         status = first_frame(s, f);
     s->stored_slot = -1;
