@@ -79,16 +79,19 @@ expect 2 'num_disparities 15 .*multiple of 16' "${m[@]}" --num-disparities 15
 expect 2 'num_disparities 0 ' "${m[@]}" --num-disparities 0
 expect 2 'num_disparities -16 ' "${m[@]}" --num-disparities -16
 expect 2 'num_disparities 8 ' "${m[@]}" --mode 3way --num-disparities 8
-expect 2 'num_disparities 96 .*96 pixels wide' "${m[@]}" --num-disparities 96
+expect 2 'num_disparities 96 .*min_disparity 0 \+ num_disparities 96 leaves no column of a 96 pixel wide image' "${m[@]}" --num-disparities 96
 expect 2 'min_disparity -2048 ' "${m[@]}" --min-disparity -2048
-expect 2 'min_disparity 2040 ' "${m[@]}" --min-disparity 2040
+expect 2 'min_disparity 2040 .*2040 \+ num_disparities 16 is 2056; 2047 is the most' "${m[@]}" --min-disparity 2040
+expect 2 'min_disparity 88 .*88 \+ num_disparities 16 leaves no column of a 96 pixel wide image' "${m[@]}" --min-disparity 88
+expect 2 'min_disparity -96 .*-96 \+ num_disparities 16 leaves no column' "${m[@]}" --min-disparity -96
+expect 2 'num_disparities 4096 .*2047 is the most' "${m[@]}" --num-disparities 4096
 expect 2 '--min-disparity 40000: outside' "${m[@]}" --min-disparity 40000
 expect 2 'block_size 4 .*make it 5' "${m[@]}" --block-size 4
 expect 2 'block_size 0 .*make it 5' "${m[@]}" --block-size 0
 expect 2 'block_size 0 .*make it 3' "${m[@]}" --block-size 0 --mode 3way
-expect 2 'block_size 161 ' "${m[@]}" --block-size 161
+expect 2 'block_size 161 .*less than the 80 columns' "${m[@]}" --block-size 161
 expect 2 'p1 0 .*make it 2' "${m[@]}" --p1 0
-expect 2 'p1 32767 ' "${m[@]}" --p1 32767
+expect 2 'p1 32767 \(--p1\): must be in 1..32766$' "${m[@]}" --p1 32767
 expect 2 'p2 5 .*make it 10' "${m[@]}" --p1 9 --p2 5
 expect 2 '--p2 32768: outside' "${m[@]}" --p2 32768
 expect 2 'disp12_max_diff 0 .*make it 1' "${m[@]}" --disp12-max-diff 0
@@ -96,9 +99,14 @@ expect 2 'disp12_max_diff -1 .*make it 1' "${m[@]}" --disp12-max-diff -1
 expect 2 'pre_filter_cap 14 .*make it 15' "${m[@]}" --pre-filter-cap 14
 expect 2 'pre_filter_cap 30 .*make it 31' "${m[@]}" --pre-filter-cap 30
 expect 2 'uniqueness_ratio -1 .*make it 10' "${m[@]}" --uniqueness-ratio -1
-expect 2 'uniqueness_ratio 100 ' "${m[@]}" --uniqueness-ratio 100
+expect 2 'uniqueness_ratio 100 .*must be in 0..99$' "${m[@]}" --uniqueness-ratio 100
 expect 2 'speckle_window_size -1 .*make it 0' "${m[@]}" --speckle-window-size -1
-expect 2 'speckle_range -1 ' "${m[@]}" --speckle-range -1
+expect 2 'speckle_range -1 .*in 0..134217727' "${m[@]}" --speckle-range -1
+expect 2 'speckle_range 999999999 .*in 0..134217727 pixels of disparity, .*32 bits$' "${m[@]}" --speckle-range 999999999
+expect 2 '--color and --gray' "${m[@]}" --color --gray
+expect 2 '--color and --gray' "${m[@]}" --gray --color
+expect 2 '--channels 2: must be 1 or 3' plan --width 96 --height 48 --num-disparities 16 --channels 2
+expect 2 '--num-disparities 20: must be a multiple of 8' plan --width 96 --height 48 --num-disparities 20
 expect 2 '--p1 7x: not a whole number' "${m[@]}" --p1 7x
 expect 2 'block_size 4 ' "${t[@]}" --block-size 4
 expect 2 'block_size 4 ' "${t[@]}" --start block_size=4
@@ -111,7 +119,24 @@ echo '{"block_size": ' >cut.json
 echo '[5]' >list.json
 expect 3 'typo.json: "uniqueness" is no parameter' "${m[@]}" --params typo.json
 expect 3 'half.json: "block_size" must be a whole number' "${m[@]}" --params half.json
-expect 2 'block_size 6 .*make it 7' "${m[@]}" --params even.json
+expect 2 'even.json: block_size 6: .*make it 7' "${m[@]}" --params even.json
+expect 2 'match: block_size 8 \(--block-size\): .*make it 9' "${m[@]}" --params even.json --block-size 8
+expect 2 'even.json: block_size 6: ' "${t[@]}" --params even.json
+echo '{"p1": 8} trailing' >trailing.json
+echo '{"p1": 8} {"p1": 9}' >two.json
+printf '{"p1": 8}\0\n' >nul.json
+echo '{"p1": 8, "p2": 90, "p1": 9}' >twice.json
+echo '{"p1": 8, "mode": "hh", "mode": "sgbm"}' >twice_mode.json
+echo '{"params": {"p1": 8}, "params": {"p1": 9}}' >twice_params.json
+printf '\n{"p1": 8}\r\n\t \n' >blanks.json
+expect 3 'trailing.json: no JSON: there is more behind its end, from byte 10' "${m[@]}" --params trailing.json
+expect 3 'two.json: no JSON' "${m[@]}" --params two.json
+expect 3 'nul.json: no JSON' "${m[@]}" --params nul.json
+expect 3 'twice.json: "p1" is there twice' "${m[@]}" --params twice.json
+expect 3 'twice_mode.json: "mode" is there twice' "${m[@]}" --params twice_mode.json
+expect 3 'twice_params.json: "params" is there twice' "${m[@]}" --params twice_params.json
+accept "${m[@]}" --params blanks.json
+rm out.npy
 expect 3 'cut.json' "${m[@]}" --params cut.json
 expect 3 'list.json' "${m[@]}" --params list.json
 expect 3 'none.json: No such file' "${m[@]}" --params none.json
@@ -244,6 +269,8 @@ echo '[{"left": "s/left.png", "right": "s/right.png", "truth": "s/none.pfm"}]' >
 echo '[]' >empty.json
 expect 3 'no_truth.json: scene 0 has no file name "truth"' tune --scenes no_truth.json
 expect 3 's/none.pfm: No such file' tune --scenes gone.json
+echo '[{"left": "s/left.png", "right": "s/right.png", "truth": "s/disp.pfm"}], []' >more.json
+expect 3 'more.json: no JSON' tune --scenes more.json
 expect 3 'empty.json: not a JSON array' tune --scenes empty.json
 expect 2 'scenes alone' tune s/left.png s/right.png --scenes gone.json
 

@@ -11,8 +11,37 @@
 
 #define JSON_FILE_MAX ((size_t)16 << 20)
 
+cJSON *json_read(const char *path, tool_fail *f)
+{
+    unsigned char *text;
+    size_t size, at = 0;
+    const char *end = NULL;
+    if (tool_read_whole(path, JSON_FILE_MAX, &text, &size, f))
+        return NULL;
+    cJSON *document = cJSON_ParseWithLengthOpts((const char *)text, size, &end, 0);
+    if (document)
+        for (at = (size_t)(end - (const char *)text); at < size && strchr(" \t\r\n", text[at]) && text[at];)
+            at++;
+    if (!document)
+        tool_fail_set(f, TOOL_FILE, "%s: no JSON", path);
+    else if (at < size)
+        tool_fail_set(f, TOOL_FILE, "%s: no JSON: there is more behind its end, from byte %zu on", path, at);
+    free(text);
+    if (at == size)
+        return document;
+    cJSON_Delete(document);
+    return NULL;
+}
+
+static int twice(const cJSON *item, const char *path, tool_fail *f)
+{
+    return tool_fail_set(f, TOOL_FILE, "%s: \"%s\" is there twice", path, item->string);
+}
+
 static int take_mode(params_some *s, const cJSON *item, const char *path, tool_fail *f)
 {
+    if (s->mode >= 0)
+        return twice(item, path, f);
     if (cJSON_IsString(item))
         s->mode = params_mode_of(item->valuestring);
     else if (cJSON_IsNumber(item) && item->valuedouble >= 0 && item->valuedouble <= 3)
@@ -29,44 +58,53 @@ static int take_field(params_some *s, const cJSON *item, const char *path, tool_
     int field = params_field_find(item->string);
     if (field < 0)
         return tool_fail_set(f, TOOL_FILE, "%s: \"%s\" is no parameter", path, item->string);
+    if (s->given >> field & 1)
+        return twice(item, path, f);
     double v = cJSON_IsNumber(item) ? item->valuedouble : (double)NAN;
     if (!(fabs(v) < 4e9) || floor(v) != v)
         return tool_fail_set(f, TOOL_FILE, "%s: \"%s\" must be a whole number", path, item->string);
     if (!params_fits(field, (long)v))
         return tool_fail_set(f, TOOL_USAGE, "%s: \"%s\": %.0f is out of range", path, item->string, v);
     s->value[field] = (long)v;
+    s->path[field] = path;
     s->given |= 1u << field;
     return TOOL_OK;
 }
 
-/* The object that holds the fields: best.params, params, or the document itself. */
-static const cJSON *fields_of(const cJSON *document)
+/* The only member of that name; *status tells when there are two. */
+static const cJSON *only(const cJSON *object, const char *name, const char *path, int *status, tool_fail *f)
 {
-    const cJSON *best = cJSON_GetObjectItemCaseSensitive(document, "best");
-    const cJSON *params = cJSON_GetObjectItemCaseSensitive(best ? best : document, "params");
-    return params ? params : document;
+    const cJSON *item, *found = NULL;
+    cJSON_ArrayForEach(item, object)
+    {
+        if (!item->string || strcmp(item->string, name) != 0)
+            continue;
+        if (found)
+            *status = twice(item, path, f);
+        found = item;
+    }
+    return found;
 }
 
 int params_read_json(params_some *s, const char *path, tool_fail *f)
 {
-    unsigned char *text;
-    size_t size;
     params_some_init(s);
-    int status = tool_read_whole(path, JSON_FILE_MAX, &text, &size, f);
-    if (status)
-        return status;
-    cJSON *document = cJSON_ParseWithLength((const char *)text, size);
-    const cJSON *item, *object = fields_of(document);
+    cJSON *document = json_read(path, f);
+    if (!document)
+        return f->status;
+    int status = TOOL_OK;
+    /* the object that holds the fields: best.params, params, or the document itself */
+    const cJSON *best = only(document, "best", path, &status, f);
+    const cJSON *params = only(best ? best : document, "params", path, &status, f);
+    const cJSON *item, *object = params ? params : document;
     if (!cJSON_IsObject(object))
         status = tool_fail_set(f, TOOL_FILE, "%s: not a JSON object of parameters", path);
-    else
-        cJSON_ArrayForEach(item, object)
-        {
-            if (status == TOOL_OK)
-                status = take_field(s, item, path, f);
-        }
+    cJSON_ArrayForEach(item, object)
+    {
+        if (status == TOOL_OK)
+            status = take_field(s, item, path, f);
+    }
     cJSON_Delete(document);
-    free(text);
     return status;
 }
 

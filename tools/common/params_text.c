@@ -3,6 +3,7 @@
 #include "params_text.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,21 +16,18 @@ typedef struct field_info {
 
 static const field_info fields[FIELD_COUNT] = {
     {"min_disparity", "min-disparity",
-     "(min_disparity - 1) * 16 and (min_disparity + num_disparities) * 16 must fit 16 bits", INT16_MIN,
-     INT16_MAX},
+     "-2047 or more, and at most 2047 with num_disparities added", INT16_MIN, INT16_MAX},
     {"num_disparities", "num-disparities",
-     "a positive multiple of 16 (of 8 but in 3way) that leaves more matched columns than half a block",
-     INT16_MIN, INT16_MAX},
-    {"block_size", "block-size", "odd, at least 1, and narrower than twice the matched columns", INT16_MIN,
-     INT16_MAX},
-    {"p1", "p1", "1..32766", INT16_MIN, INT16_MAX},
-    {"p2", "p2", "p1 + 1..32767", INT16_MIN, INT16_MAX},
+     "a positive multiple of 16 (of 8 will do but in 3way)", INT16_MIN, INT16_MAX},
+    {"block_size", "block-size", "odd and at least 1", INT16_MIN, INT16_MAX},
+    {"p1", "p1", "in 1..32766", INT16_MIN, INT16_MAX},
+    {"p2", "p2", "above p1 and at most 32767", INT16_MIN, INT16_MAX},
     {"disp12_max_diff", "disp12-max-diff", "at least 1", INT16_MIN, INT16_MAX},
     {"pre_filter_cap", "pre-filter-cap", "odd, at least 15", INT16_MIN, INT16_MAX},
-    {"uniqueness_ratio", "uniqueness-ratio", "0..99", INT16_MIN, INT16_MAX},
-    {"speckle_window_size", "speckle-window-size", "0 (off) or the largest component to remove, in pixels",
+    {"uniqueness_ratio", "uniqueness-ratio", "in 0..99", INT16_MIN, INT16_MAX},
+    {"speckle_window_size", "speckle-window-size", "0 (off) or more: the largest component to remove, in pixels",
      INT32_MIN, INT32_MAX},
-    {"speckle_range", "speckle-range", "0 or more pixels of disparity", INT32_MIN, INT32_MAX},
+    {"speckle_range", "speckle-range", "in 0..134217727 pixels of disparity, because 16 times it must fit 32 bits", INT32_MIN, INT32_MAX},
 };
 
 static const char *const modes[4] = {"sgbm", "hh", "3way", "hh4"};
@@ -116,8 +114,10 @@ int params_some_set(params_some *s, int field, const char *text, tool_fail *f)
 void params_some_merge(params_some *under, const params_some *over)
 {
     for (int i = 0; i < FIELD_COUNT; i++)
-        if (over->given >> i & 1)
+        if (over->given >> i & 1) {
             under->value[i] = over->value[i];
+            under->path[i] = over->path[i];
+        }
     under->given |= over->given;
     if (over->mode >= 0)
         under->mode = over->mode;
@@ -147,22 +147,58 @@ const char *params_mode_name(int mode)
     return mode >= 0 && mode < 4 ? modes[mode] : NULL;
 }
 
-int params_check_text(const stad_params *p, int mode, int width, tool_fail *f)
+/* Where a field's value came from: "p.json: p1 0", "p1 0 (--p1)". */
+static void origin(char *text, size_t room, const params_some *from, int field, long is)
+{
+    const field_info *i = &fields[field];
+    if (from->path[field])
+        snprintf(text, room, "%.300s: %s %ld", from->path[field], i->name, is);
+    else
+        snprintf(text, room, "%s %ld (--%s)", i->name, is, i->option);
+}
+
+/* What is wrong with a field that is fine by itself but not with the others or the width; 0 when that is not it. */
+static int clash(char *text, size_t room, const stad_params *p, int field, int width)
+{
+    const int min = p->min_disparity, num = p->num_disparities, end = min + num;
+    const int columns = width + (min < 0 ? min : 0) - (end > 0 ? end : 0);
+    if (field > FIELD_BLOCK_SIZE || num <= 0)
+        return 0;
+    if (field == FIELD_BLOCK_SIZE && p->block_size > 0 && p->block_size % 2 == 1)
+        return snprintf(text, room,
+                        "half of it must be less than the %d columns that min_disparity %d + num_disparities "
+                        "%d leave of a %d pixel wide image",
+                        columns, min, num, width);
+    if (field == FIELD_BLOCK_SIZE || min < -2047)
+        return 0;
+    if (end > 2047)
+        return snprintf(text, room,
+                        "min_disparity %d + num_disparities %d is %d; 2047 is the most that 16 bits hold", min,
+                        num, end);
+    if (columns < 1)
+        return snprintf(text, room,
+                        "min_disparity %d + num_disparities %d leaves no column of a %d pixel wide image", min,
+                        num, width);
+    return 0;
+}
+
+int params_check_text(const stad_params *p, const params_some *from, int mode, int width, tool_fail *f)
 {
     const char *culprit = NULL;
+    char what[400], why[200];
     if (stad_params_check(p, mode, width, &culprit) == STAD_OK)
         return TOOL_OK;
     int field = culprit ? params_field_find(culprit) : -1;
     if (field < 0)
-        return tool_fail_set(f, TOOL_USAGE, "%s is outside its domain for images %d pixels wide",
-                             culprit ? culprit : "a parameter", width);
-    const field_info *i = &fields[field];
+        return tool_fail_set(f, TOOL_USAGE, "%s is outside its domain", culprit ? culprit : "a parameter");
     stad_params n = *p;
     stad_params_normalize(&n, mode);
     long is = params_get(p, field), becomes = params_get(&n, field);
-    if (is != becomes)
-        return tool_fail_set(f, TOOL_USAGE, "%s %ld (--%s): must be %s; OpenCV would silently make it %ld",
-                             i->name, is, i->option, i->domain, becomes);
-    return tool_fail_set(f, TOOL_USAGE, "%s %ld (--%s): must be %s; the images are %d pixels wide", i->name,
-                         is, i->option, i->domain, width);
+    origin(what, sizeof what, from, field, is);
+    if (clash(why, sizeof why, p, field, width))
+        return tool_fail_set(f, TOOL_USAGE, "%s: %s", what, why);
+    if (is == becomes || (field == FIELD_P1 && is > 0)) /* OpenCV keeps a p1 that leaves no p2 above it */
+        return tool_fail_set(f, TOOL_USAGE, "%s: must be %s", what, fields[field].domain);
+    return tool_fail_set(f, TOOL_USAGE, "%s: must be %s; OpenCV would silently make it %ld", what,
+                         fields[field].domain, becomes);
 }

@@ -37,8 +37,9 @@ void params_set(stad_params *p, int field, long value); /* `value` fits */
 /* Some of the fields, and which. */
 typedef struct params_some {
     long value[FIELD_COUNT];
-    unsigned given; /* bit `field` */
-    int mode;       /* enum stad_mode, -1 = not said */
+    unsigned given;                /* bit `field` */
+    const char *path[FIELD_COUNT]; /* the file it was read from, borrowed; NULL: an option */
+    int mode;                      /* enum stad_mode, -1 = not said */
 } params_some;
 
 void params_some_init(params_some *s);
@@ -60,11 +61,14 @@ void params_from_some(stad_params *p, const params_some *s, int width, int chann
 int params_mode_of(const char *name);
 const char *params_mode_name(int mode);
 
-/* stad_params_check() in words: field, option, value, and what OpenCV would silently make of it. */
-int params_check_text(const stad_params *p, int mode, int width, tool_fail *f);
+/* stad_params_check() in words: field, option or file (`from` tells), value, and what OpenCV would silently make of it. */
+int params_check_text(const stad_params *p, const params_some *from, int mode, int width, tool_fail *f);
+
+/* A JSON document and nothing behind it; NULL with a message otherwise. The caller deletes it. */
+struct cJSON *json_read(const char *path, tool_fail *f);
 
 /* JSON: an object of field names; also the document that `stad tune` writes ("best") and an object with "params". An
- * unknown name is refused. */
+ * unknown name is refused, and a name that is there twice. */
 int params_read_json(params_some *s, const char *path, tool_fail *f);
 struct cJSON *params_to_json(const stad_params *p);
 

@@ -73,6 +73,25 @@ static int read_options(plan_job *j, int argc, char **argv, tool_fail *f)
     return -1;
 }
 
+/* stad_geometry_check() in words: option, value, and what is allowed. */
+static int refused(const plan_job *j, const char *culprit, tool_fail *f)
+{
+    static const struct {
+        const char *culprit, *allowed;
+        enum plan_field field;
+    } rules[] = {{"channels", "1 or 3", PLAN_CHANNELS},
+                 {"max_disparities", "a multiple of 8 in 8..4088", PLAN_NUM},
+                 {"max_block_size", "odd and at least 1", PLAN_BLOCK},
+                 {"max_p2", "at least 2", PLAN_P2},
+                 {"max_pre_filter_cap", "odd and at least 15", PLAN_CAP}};
+    for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++)
+        if (strcmp(culprit, rules[i].culprit) == 0)
+            return tool_fail_set(f, TOOL_USAGE, "--%s %ld: must be %s", names[rules[i].field],
+                                 j->v[rules[i].field], rules[i].allowed);
+    return tool_fail_set(f, TOOL_USAGE, "%ld x %ld frames, %ld disparities: no matcher can be so large",
+                         j->v[PLAN_WIDTH], j->v[PLAN_HEIGHT], j->v[PLAN_NUM]);
+}
+
 static int geometry_of(const plan_job *j, int mode, int memory, stad_geometry *g, tool_fail *f)
 {
     const char *culprit = NULL;
@@ -88,8 +107,7 @@ static int geometry_of(const plan_job *j, int mode, int memory, stad_geometry *g
                          .memory = (uint8_t)memory};
     if (stad_geometry_check(g, &culprit) == STAD_OK)
         return TOOL_OK;
-    return tool_fail_set(f, TOOL_USAGE, "%s is outside what a matcher can be built for (mode %s)",
-                         culprit ? culprit : "the geometry", params_mode_name(mode));
+    return refused(j, culprit ? culprit : "", f);
 }
 
 static cJSON *plan_json(const stad_geometry *g)

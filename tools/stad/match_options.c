@@ -27,6 +27,14 @@ static int take_memory(match_options *o, const char *name, tool_fail *f)
     return TOOL_OK;
 }
 
+static int take_channels(match_options *o, int code, tool_fail *f)
+{
+    *(code == OPT_COLOR ? &o->color : &o->gray) = 1;
+    if (o->color && o->gray)
+        return tool_fail_set(f, TOOL_USAGE, "--color and --gray: one of them, not both");
+    return TOOL_OK;
+}
+
 int match_options_take(match_options *o, int code, const char *argument, int *mine, tool_fail *f)
 {
     *mine = 1;
@@ -42,8 +50,7 @@ int match_options_take(match_options *o, int code, const char *argument, int *mi
         return TOOL_OK;
     case OPT_COLOR:
     case OPT_GRAY:
-        o->color = code == OPT_COLOR;
-        return TOOL_OK;
+        return take_channels(o, code, f);
     default:
         *mine = 0;
         return TOOL_OK;
@@ -71,5 +78,5 @@ int match_options_mode(const match_options *o)
 int match_options_params(const match_options *o, int width, int channels, stad_params *p, tool_fail *f)
 {
     params_from_some(p, &o->some, width, channels);
-    return params_check_text(p, match_options_mode(o), width, f);
+    return params_check_text(p, &o->some, match_options_mode(o), width, f);
 }

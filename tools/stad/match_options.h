@@ -54,7 +54,7 @@ enum match_option_code {
 typedef struct match_options {
     params_some some; /* from options */
     const char *params_path;
-    int memory, color;
+    int memory, color, gray; /* gray: only that it was said */
 } match_options;
 
 void match_options_init(match_options *o);

@@ -9,10 +9,8 @@
 #include <string.h>
 
 #include "../common/truth_marks.h"
-#include "../common/whole_file.h"
 
-#define LIST_FILE_MAX ((size_t)16 << 20)
-#define LIST_SCENES   10000
+#define LIST_SCENES 10000
 
 static int set_alloc(scene_set *s, int count, tool_fail *f)
 {
@@ -93,15 +91,11 @@ static int take_scene(scene_set *s, const cJSON *item, const char *list, int i, 
 
 int scene_set_list(scene_set *s, const char *path, tool_fail *f)
 {
-    unsigned char *text;
-    size_t size;
     memset(s, 0, sizeof *s);
-    int status = tool_read_whole(path, LIST_FILE_MAX, &text, &size, f);
-    if (status)
-        return status;
-    cJSON *list = cJSON_ParseWithLength((const char *)text, size);
-    int count = cJSON_GetArraySize(list);
-    free(text);
+    cJSON *list = json_read(path, f);
+    if (!list)
+        return f->status;
+    int status = TOOL_OK, count = cJSON_GetArraySize(list);
     if (!cJSON_IsArray(list) || count < 1 || count > LIST_SCENES)
         status = tool_fail_set(f, TOOL_FILE, "%s: not a JSON array of 1..%d scenes", path, LIST_SCENES);
     else

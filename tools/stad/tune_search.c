@@ -10,19 +10,24 @@ static int scene_channels(const tune_job *j)
     return j->options.color ? 3 : 1;
 }
 
+static void take_range(params_some *some, const char *list, const scored_scene *c)
+{
+    params_some its;
+    params_some_init(&its);
+    its.value[FIELD_MIN_DISPARITY] = c->min_disparity;
+    its.value[FIELD_NUM_DISPARITIES] = c->num_disparities;
+    its.given = (c->min_disparity != INT_MAX ? 1u << FIELD_MIN_DISPARITY : 0u) |
+                (c->num_disparities > 0 ? 1u << FIELD_NUM_DISPARITIES : 0u);
+    its.path[FIELD_MIN_DISPARITY] = its.path[FIELD_NUM_DISPARITIES] = list;
+    params_some_merge(some, &its);
+}
+
 /* What a scene starts from: the chosen set, then --start's values, then options, then what the list says of this scene. */
 static int base_of(const tune_job *j, scored_scene *c, tool_fail *f)
 {
     params_some some = j->start;
     params_some_merge(&some, &j->options.some);
-    if (c->min_disparity != INT_MAX) {
-        some.value[FIELD_MIN_DISPARITY] = c->min_disparity;
-        some.given |= 1u << FIELD_MIN_DISPARITY;
-    }
-    if (c->num_disparities > 0) {
-        some.value[FIELD_NUM_DISPARITIES] = c->num_disparities;
-        some.given |= 1u << FIELD_NUM_DISPARITIES;
-    }
+    take_range(&some, j->list, c);
     params_from_some(&c->base, &some, c->left.width, scene_channels(j));
     if (j->from_default) {
         stad_params_default(&c->base, c->base.num_disparities);
@@ -30,7 +35,7 @@ static int base_of(const tune_job *j, scored_scene *c, tool_fail *f)
             if (some.given >> i & 1)
                 params_set(&c->base, i, some.value[i]);
     }
-    return params_check_text(&c->base, j->how.mode, c->left.width, f);
+    return params_check_text(&c->base, &some, j->how.mode, c->left.width, f);
 }
 
 static stad_point point_of(const stad_params *p)
