@@ -37,12 +37,12 @@ typedef struct rows {
 static rows carve(const stad_geometry *g, uint8_t *work)
 {
     rows r;
-    size_t width = (size_t)g->width;
+    const size_t width = (size_t)g->width, channels = (size_t)g->channels, row_bytes = channels * width;
     r.truth_q16 = (int32_t *)(void *)work;
     r.disp_q4 = (int16_t *)(void *)(work + 4 * width);
     r.left = work + 6 * width;
-    r.right = r.left + width * (size_t)g->channels;
-    r.label = r.right + width * (size_t)g->channels;
+    r.right = r.left + row_bytes;
+    r.label = r.right + row_bytes;
     return r;
 }
 

@@ -59,6 +59,11 @@ static inline stad_frame *frame_of(stad_match *m)
     return (stad_frame *)(void *)m->opaque;
 }
 
+static inline const stad_frame *frame_of_const(const stad_match *m)
+{
+    return (const stad_frame *)(const void *)m->opaque;
+}
+
 static inline int16_t none_q4(const stad_frame *f)
 {
     return (int16_t)((f->p.min_disparity - 1) * 16);

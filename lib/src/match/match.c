@@ -33,12 +33,12 @@ int stad_match_options(stad_match *m, unsigned options)
 
 const char *stad_match_culprit(const stad_match *m)
 {
-    return ((const stad_frame *)(const void *)m->opaque)->culprit;
+    return frame_of_const(m)->culprit;
 }
 
 const stad_match_counts *stad_match_counts_of(const stad_match *m)
 {
-    return &((const stad_frame *)(const void *)m->opaque)->counts;
+    return &frame_of_const(m)->counts;
 }
 
 /* Names the first parameter that is above what the geometry reserved memory for. */

@@ -6,55 +6,95 @@
 
 enum part { PIXELS, FEATURES, COSTS, SUMS, TOTALS, LANES, SEGMENT, CHECKPOINTS, RUN, ROWS, PART_COUNT };
 
-/* The geometry in the type of the macros. */
+/* The geometry in the type of the macros, and the terms that several parts share. The macros are for constants: of variables
+ * each is much code, so that every term is expanded once, here. */
 typedef struct shape {
     size_t w, h, cn, d, b, p2, cap;
-    int mode, memory, narrow, safe;
+    int mode, memory, two_pass, safe, narrow;
+    size_t cells, row, lane, state, checkpoint; /* of one cost row; its bytes; bytes of path state */
+    size_t pixel_rows, cost_slots, segment_rows, segments;
 } shape;
+
+/* STAD_SEGMENT_ROWS, its terms one by one. */
+static size_t segment_rows_of(const shape *s)
+{
+    const size_t target = STAD_SEGMENT_TARGET(s->h, s->mode, s->narrow, s->safe);
+    const size_t seed = STAD_ROOT_SEED(target), guess = STAD_ROOT_STEP(target, seed);
+    const size_t root = STAD_ROOT_STEP(target, guess);
+    return s->memory == STAD_MEMORY_SMALL && root < s->h ? root : s->h;
+}
 
 static shape shape_of(const stad_geometry *g)
 {
-    shape s = {(size_t)g->width,          (size_t)g->height, (size_t)g->channels,
-               (size_t)g->max_disparities, (size_t)g->max_block_size, (size_t)g->max_p2,
-               (size_t)g->max_pre_filter_cap, g->mode, g->memory, 0, 0};
+    shape s = {0};
+    s.w = (size_t)g->width;
+    s.h = (size_t)g->height;
+    s.cn = (size_t)g->channels;
+    s.d = (size_t)g->max_disparities;
+    s.b = (size_t)g->max_block_size;
+    s.p2 = (size_t)g->max_p2;
+    s.cap = (size_t)g->max_pre_filter_cap;
+    s.mode = g->mode;
+    s.memory = g->memory;
+    s.two_pass = g->mode == STAD_MODE_HH || g->mode == STAD_MODE_HH4;
     s.safe = STAD_COST_SAFE(s.cn, s.b, s.p2, s.cap);
     s.narrow = STAD_LANE_NARROW(s.cn, s.b, s.p2, s.cap, s.mode, s.memory);
+    s.cells = STAD_CELLS(s.w, s.d);
+    s.row = STAD_BYTES_UP(2 * s.cells);
+    s.lane = STAD_LANE_BYTES(s.w, s.d, s.memory, s.narrow);
+    s.state = STAD_LANES_DOWN(s.mode) * s.lane;
+    s.checkpoint = s.state + (s.safe ? 0 : s.row);
+    s.pixel_rows = STAD_PIXEL_ROWS(s.h, s.b, s.mode);
+    s.cost_slots = STAD_COST_SLOTS(s.cn, s.b, s.p2, s.cap, s.mode, s.memory);
+    s.segment_rows = segment_rows_of(&s);
+    s.segments = (s.h + s.segment_rows - 1) / s.segment_rows;
     return s;
 }
 
-static size_t part_bytes(const stad_geometry *g, int part)
+static size_t totals_bytes(const shape *s)
 {
-    const shape s = shape_of(g);
+    if (s->two_pass && s->memory == STAD_MEMORY_SMALL)
+        return 0;
+    return STAD_TOTAL_WHOLE(s->mode, s->memory, s->narrow)
+               ? s->row
+               : STAD_BYTES_UP(2 * STAD_RUN * s->d) + STAD_RESUME_BYTES(s->w, s->d);
+}
+
+static size_t part_bytes(const shape *s, int part)
+{
     switch (part) {
     case PIXELS:
-        return STAD_PART_PIXELS(s.w, s.h, s.cn, s.b, s.mode);
+        return STAD_BYTES_UP(s->pixel_rows * 2 * s->w * s->cn);
     case FEATURES:
-        return STAD_PART_FEATURES(s.w, s.cn);
+        return STAD_PART_FEATURES(s->w, s->cn);
     case COSTS:
-        return STAD_PART_COSTS(s.w, s.cn, s.d, s.b, s.p2, s.cap, s.mode, s.memory);
+        return STAD_BYTES_UP(STAD_COST_BYTES(s->cn, s->cap) * STAD_BYTES_MAX(s->cost_slots * s->cells, STAD_RUN * s->d));
     case SUMS:
-        return STAD_PART_SUMS(s.w, s.d);
+        return s->row;
     case TOTALS:
-        return STAD_PART_TOTALS(s.w, s.d, s.mode, s.memory, s.narrow);
+        return totals_bytes(s);
     case LANES:
-        return STAD_PART_LANES(s.w, s.d, s.mode, s.memory, s.narrow);
+        return s->two_pass ? 2 * s->state : s->state;
     case SEGMENT:
-        return STAD_PART_SEGMENT(s.w, s.h, s.d, s.mode, s.memory, s.narrow, s.safe);
+        return s->two_pass ? s->segment_rows * (s->safe ? 1 : 2) * s->row : 0;
     case CHECKPOINTS:
-        return STAD_PART_CHECKPOINTS(s.w, s.h, s.d, s.mode, s.memory, s.narrow, s.safe);
+        return s->two_pass ? (s->segments - 1) * s->checkpoint : 0;
     case RUN:
-        return STAD_PART_RUN(s.d);
+        return STAD_PART_RUN(s->d);
     default:
-        return STAD_PART_ROWS(s.w);
+        return STAD_PART_ROWS(s->w);
     }
 }
 
 size_t stad_match_bytes(const stad_geometry *g)
 {
+    size_t bytes = 0;
     if (stad_geometry_check(g, NULL) != STAD_OK)
         return 0;
-    return STAD_MATCH_BYTES(g->width, g->height, g->channels, g->max_disparities, g->max_block_size, g->max_p2,
-                            g->max_pre_filter_cap, g->mode, g->memory);
+    const shape s = shape_of(g);
+    for (int part = 0; part < PART_COUNT; part++)
+        bytes += part_bytes(&s, part);
+    return bytes;
 }
 
 size_t stad_match_part(const stad_geometry *g, int i, const char **name)
@@ -64,7 +104,10 @@ size_t stad_match_part(const stad_geometry *g, int i, const char **name)
     const int known = i >= 0 && i < PART_COUNT && stad_geometry_check(g, NULL) == STAD_OK;
     if (name)
         *name = known ? names[i] : NULL;
-    return known ? part_bytes(g, i) : 0;
+    if (!known)
+        return 0;
+    const shape s = shape_of(g);
+    return part_bytes(&s, i);
 }
 
 static int refuse(const char **culprit, const char *field)
@@ -172,36 +215,36 @@ static void bind_rows(stad_frame *f, uint8_t *part)
     f->best = (stad_best *)(void *)take(&part, STAD_BYTES_UP(6 * STAD_RUN));
 }
 
-static void derive(stad_frame *f)
+static void derive(stad_frame *f, const shape *s)
 {
-    const stad_geometry *g = &f->g;
-    const shape s = shape_of(g);
-    f->narrow = s.narrow;
-    f->cost_slots = (int32_t)STAD_COST_SLOTS(s.cn, s.b, s.p2, s.cap, s.mode, s.memory);
-    f->ring = s.memory == STAD_MEMORY_FAST || s.mode == STAD_MODE_HH || s.mode == STAD_MODE_HH4;
-    f->pixel_rows = (int32_t)STAD_PIXEL_ROWS(s.h, s.b, s.mode);
-    f->segment_rows = (int32_t)STAD_SEGMENT_ROWS(s.h, s.mode, s.memory, s.narrow, s.safe);
-    f->segments = (int32_t)STAD_SEGMENTS(s.h, s.mode, s.memory, s.narrow, s.safe);
-    f->cell_bytes = STAD_BYTES_UP(2 * STAD_CELLS(s.w, s.d));
-    f->lane_bytes = STAD_LANE_BYTES(s.w, s.d, s.memory, s.narrow);
-    f->state_bytes = STAD_STATE_BYTES(s.w, s.d, s.mode, s.memory, s.narrow);
-    f->checkpoint_bytes = f->state_bytes + (s.safe ? 0 : f->cell_bytes);
+    f->narrow = s->narrow;
+    f->cost_slots = (int32_t)s->cost_slots;
+    f->ring = s->memory == STAD_MEMORY_FAST || s->two_pass;
+    f->pixel_rows = (int32_t)s->pixel_rows;
+    f->segment_rows = (int32_t)s->segment_rows;
+    f->segments = (int32_t)s->segments;
+    f->cell_bytes = s->row;
+    f->lane_bytes = s->lane;
+    f->state_bytes = s->state;
+    f->checkpoint_bytes = s->checkpoint;
 }
 
 void plan_bind(stad_frame *f, void *work)
 {
-    const stad_geometry *g = &f->g;
-    uint8_t *rest = work;
-    derive(f);
-    f->pixels = take(&rest, part_bytes(g, PIXELS));
-    f->features = take(&rest, part_bytes(g, FEATURES));
-    f->costs = take(&rest, part_bytes(g, COSTS));
-    f->sums = take_i16(&rest, part_bytes(g, SUMS));
-    bind_totals(f, take(&rest, part_bytes(g, TOTALS)));
-    f->down.memory = take(&rest, part_bytes(g, LANES));
-    f->up.memory = f->down.memory + f->state_bytes;
-    f->segment = take(&rest, part_bytes(g, SEGMENT));
-    f->checkpoints = take(&rest, part_bytes(g, CHECKPOINTS));
-    bind_run(f, take(&rest, part_bytes(g, RUN)));
-    bind_rows(f, take(&rest, part_bytes(g, ROWS)));
+    const shape s = shape_of(&f->g);
+    uint8_t *part[PART_COUNT], *rest = work;
+    derive(f, &s);
+    for (int i = 0; i < PART_COUNT; i++)
+        part[i] = take(&rest, part_bytes(&s, i));
+    f->pixels = part[PIXELS];
+    f->features = part[FEATURES];
+    f->costs = part[COSTS];
+    f->sums = (int16_t *)(void *)part[SUMS];
+    bind_totals(f, part[TOTALS]);
+    f->down.memory = part[LANES];
+    f->up.memory = part[LANES] + s.state;
+    f->segment = part[SEGMENT];
+    f->checkpoints = part[CHECKPOINTS];
+    bind_run(f, part[RUN]);
+    bind_rows(f, part[ROWS]);
 }
