@@ -15,19 +15,20 @@ typedef struct field_info {
 } field_info;
 
 static const field_info fields[FIELD_COUNT] = {
-    {"min_disparity", "min-disparity",
-     "-2047 or more, and at most 2047 with num_disparities added", INT16_MIN, INT16_MAX},
-    {"num_disparities", "num-disparities",
-     "a positive multiple of 16 (of 8 will do but in 3way)", INT16_MIN, INT16_MAX},
+    {"min_disparity", "min-disparity", "-2047 or more, and at most 2047 with num_disparities added",
+     INT16_MIN, INT16_MAX},
+    {"num_disparities", "num-disparities", "a positive multiple of 16 (of 8 will do but in 3way)", INT16_MIN,
+     INT16_MAX},
     {"block_size", "block-size", "odd and at least 1", INT16_MIN, INT16_MAX},
     {"p1", "p1", "in 1..32766", INT16_MIN, INT16_MAX},
     {"p2", "p2", "above p1 and at most 32767", INT16_MIN, INT16_MAX},
     {"disp12_max_diff", "disp12-max-diff", "at least 1", INT16_MIN, INT16_MAX},
     {"pre_filter_cap", "pre-filter-cap", "odd, at least 15", INT16_MIN, INT16_MAX},
     {"uniqueness_ratio", "uniqueness-ratio", "in 0..99", INT16_MIN, INT16_MAX},
-    {"speckle_window_size", "speckle-window-size", "0 (off) or more: the largest component to remove, in pixels",
-     INT32_MIN, INT32_MAX},
-    {"speckle_range", "speckle-range", "in 0..134217727 pixels of disparity, because 16 times it must fit 32 bits", INT32_MIN, INT32_MAX},
+    {"speckle_window_size", "speckle-window-size",
+     "0 (off) or more: the largest component to remove, in pixels", INT32_MIN, INT32_MAX},
+    {"speckle_range", "speckle-range",
+     "in 0..134217727 pixels of disparity, because 16 times it must fit 32 bits", INT32_MIN, INT32_MAX},
 };
 
 static const char *const modes[4] = {"sgbm", "hh", "3way", "hh4"};
@@ -173,12 +174,12 @@ static int clash(char *text, size_t room, const stad_params *p, int field, int w
         return 0;
     if (end > 2047)
         return snprintf(text, room,
-                        "min_disparity %d + num_disparities %d is %d; 2047 is the most that 16 bits hold", min,
-                        num, end);
+                        "min_disparity %d + num_disparities %d is %d; 2047 is the most that 16 bits hold",
+                        min, num, end);
     if (columns < 1)
         return snprintf(text, room,
-                        "min_disparity %d + num_disparities %d leaves no column of a %d pixel wide image", min,
-                        num, width);
+                        "min_disparity %d + num_disparities %d leaves no column of a %d pixel wide image",
+                        min, num, width);
     return 0;
 }
 

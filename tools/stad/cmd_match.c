@@ -19,7 +19,7 @@ static const char help[] =
     "  --confidence FILE.png        by how much the best disparity wins, 0..255\n"
     "  --right FILE                 disparity of the right view, as the left-right check sees "
     "it\n" MATCH_OPTIONS_HELP "\nIn brackets: what holds when the option is left out. A value that OpenCV "
-                              "would repair in silence is refused.\n\n"
+    "would repair in silence is refused.\n\n"
     "Example: stad match left.png right.png -o disp.npy --num-disparities 64 --preview disp.png\n";
 
 typedef struct match_job {

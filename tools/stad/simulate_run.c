@@ -257,7 +257,8 @@ static int first_frame(simulation *s, tool_fail *f)
 static int check_apart(const simulation *s, tool_fail *f)
 {
     const recording *r = &s->frames;
-    const char *const outs[] = {s->csv, s->json, s->report}, *const files[] = {s->where, s->options.params_path};
+    const char *const outs[] = {s->csv, s->json, s->report}, *const files[] = {s->where,
+                                                                               s->options.params_path};
     int status = tool_out_apart(outs, 3, files, 2, f);
     for (int i = 0; i < r->count && r->left && status == TOOL_OK; i++) {
         const char *const ins[] = {r->left[i], r->right ? r->right[i] : NULL};
