@@ -22,16 +22,17 @@ int32_t stad_mark_sample_q8(const mark_work *w, int32_t x_q8, int32_t y_q8)
 /* Where on the normal (nx, ny) through a point the edge is, Q8 px outwards. 1, or 0 when there is none. */
 static int edge_offset_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int32_t ny_q14, int32_t reach, int32_t *offset)
 {
-    int32_t sample[2 * MARK_MAX_REACH + 3];
+    int64_t weight = 0, sum = 0; /* gradients are Q4, below 2^12; 11 squares below 2^28 */
+    int32_t last = 0, last_but_one = 0;
     for (int32_t i = 0; i <= 2 * reach + 2; i++) {
         const int32_t t_q8 = (i - reach - 1) * 128;
-        sample[i] = stad_mark_sample_q8(w, p.x_q8 + nx_q14 * t_q8 / 16384, p.y_q8 + ny_q14 * t_q8 / 16384) / 16;
-    }
-    int64_t weight = 0, sum = 0; /* gradients are Q4, below 2^12; 11 squares below 2^28 */
-    for (int32_t i = 1; i <= 2 * reach + 1; i++) {
-        const int32_t gradient = max_i32(sample[i + 1] - sample[i - 1], 0);
+        const int32_t x_q8 = p.x_q8 + nx_q14 * t_q8 / 16384, y_q8 = p.y_q8 + ny_q14 * t_q8 / 16384;
+        const int32_t sample = stad_mark_sample_q8(w, x_q8, y_q8) / 16;
+        const int32_t gradient = i < 2 ? 0 : max_i32(sample - last_but_one, 0); /* about the sample before this one */
         weight += gradient * gradient;
-        sum += (int64_t)gradient * gradient * (i - reach - 1) * 128;
+        sum += (int64_t)gradient * gradient * (t_q8 - 128);
+        last_but_one = last;
+        last = sample;
     }
     if (weight < 16 * 16 * 16)
         return 0;

@@ -6,10 +6,16 @@
 #include "match/frame.h"
 #include "base/arith.h"
 
-/* The lanes of a pass, in order, at their place in the row. */
+/* The lanes of a pass, in order, at their place in the row: [across] set [across], the horizontal one once. Lanes in bytes
+ * follow it in their own form. */
 typedef struct pass {
-    stad_lane lanes[5]; /* [across] set [across] */
-    stad_lane_u8 bytes[3];
+    union {
+        stad_lane lanes[4];
+        struct {
+            stad_lane across;
+            stad_lane_u8 set[3];
+        } narrow;
+    } at;
     int32_t lane_count, byte_count;
     int across_at; /* place of the horizontal lane in lanes, or -1 */
 } pass;
@@ -26,14 +32,14 @@ static void enter(stad_frame *f, const row_sweep *s, pass *p)
     if (s->across && !s->across_last)
         p->across_at = p->lane_count++;
     if (s->set && f->narrow)
-        p->byte_count = lanes_enter_u8(f, s->set, p->bytes);
+        p->byte_count = lanes_enter_u8(f, s->set, p->at.narrow.set);
     else if (s->set)
-        p->lane_count += lanes_enter(f, s->set, p->lanes + p->lane_count);
+        p->lane_count += lanes_enter(f, s->set, p->at.lanes + p->lane_count);
     if (s->across && s->across_last)
         p->across_at = p->lane_count++;
     if (p->across_at >= 0) {
         lane_restart(f, &f->across);
-        p->lanes[p->across_at] = f->across;
+        p->at.lanes[p->across_at] = f->across;
     }
 }
 
@@ -58,10 +64,10 @@ static void take_run(const stad_frame *f, const stad_path_job *job, int fresh, p
     stad_path_job part = *job;
     part.fresh = fresh;
     if (p->lane_count > 0)
-        take_paths(f, &part, p->lanes, p->lane_count);
+        take_paths(f, &part, p->at.lanes, p->lane_count);
     part.fresh = fresh && p->lane_count == 0;
     if (p->byte_count > 0)
-        stad_path_row_u8(&part, p->bytes, p->byte_count);
+        stad_path_row_u8(&part, p->at.narrow.set, p->byte_count);
 }
 
 static const int16_t *block_of(stad_frame *f, const row_sweep *s, int32_t x, int32_t count)
@@ -137,7 +143,7 @@ static void sweep_forward_lean(stad_frame *f)
     enter(f, &s, &p);
     for (int32_t run = 0; run < runs_of(f); run++) {
         const int32_t x = run * STAD_RUN, count = min_i32(STAD_RUN, f->columns - x);
-        save_across(f, &p.lanes[0], run);
+        save_across(f, &p.at.lanes[0], run);
         const stad_path_job job = path_job(f, window_block(f, x, count), NULL, count, 1);
         take_run(f, &job, 0, &p);
     }
@@ -189,12 +195,11 @@ void sweep_streamed(stad_frame *f)
 {
     stad_lane lanes[3];
     int32_t count = 0;
-    const lane_set now = f->down; /* where this row's state will lie */
+    if (!f->narrow && (!f->total_row || vertical_is_last(f)))
+        count = lanes_at(f, &f->down, lanes); /* where this row's state will lie */
     if (f->total_row)
         sweep_forward_kept(f);
     else
         sweep_forward_lean(f);
-    if (!f->narrow && (!f->total_row || vertical_is_last(f)))
-        count = lanes_at(f, &now, lanes);
     sweep_back_streamed(f, lanes, count);
 }
