@@ -7,7 +7,7 @@
 The truth is one plane a pair from the board's corners (stad_plane_fit, stad_truth_add_plane), within the outline of the inner
 corners alone. Matcher, score and search are the library's, through its Python package: MODE_SGBM, ncg with the start ladder for
 `bad`, from the sample's parameters, block 3 or more; the cost is the mean over the pairs of the bad-or-missing share at 1 px.
---range all: 192 disparities from 0 for every pair, as a rig would have that does not know where the board is; board: from 24 px
+--range all: 208 disparities from 0 for every pair, as a rig would have that does not know where the board is; board: from 24 px
 below to 24 px above the board's own. At the end both results meet natural scenes that had no part in the tuning."""
 import argparse
 import json
@@ -43,7 +43,7 @@ class Board:
         self.left, self.right = (cv2.imread(f'{folder}/{self.id:02d}_{v}.png', cv2.IMREAD_GRAYSCALE) for v in ('left', 'right'))
         corners, d = np.array(pair['corners_left']), np.array(pair['disparity'])
         rows = np.c_[corners, corners[:, 0] - d, corners[:, 1]].astype(float)
-        self.low, self.span = 0, 192
+        self.low, self.span = 0, 208
         if ARGS.range == 'board':
             self.low = int(d.min()) - 24
             self.span = -(-(int(d.max()) + 24 - self.low) // 16) * 16
