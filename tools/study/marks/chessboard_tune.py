@@ -8,7 +8,7 @@ The truth is one plane a pair from the board's corners (stad_plane_fit, stad_tru
 corners alone. Matcher, score and search are the library's, through its Python package: MODE_SGBM, ncg with the start ladder for
 `bad`, from the sample's parameters, block 3 or more; the cost is the mean over the pairs of the bad-or-missing share at 1 px.
 --range all: 208 disparities from 0 for every pair, as a rig would have that does not know where the board is; board: from 24 px
-below to 24 px above the board's own. At the end both results meet natural scenes that had no part in the tuning."""
+below to 24 px above the board's own. At the end both results meet the open natural scenes."""
 import argparse
 import json
 import os
