@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#define STAD_COST_ONE ((int32_t)1 << 20)
+#define STAD_COST_ONE ((int32_t)1 << 20) /* everything wrong */
 
 /* What is told when a point could not be scored: a frame was lost, no pixel had truth, the match was refused. */
 #define STAD_COST_FAILED INT32_MAX

@@ -15,6 +15,7 @@
 extern "C" {
 #endif
 
+/* A pair of cameras, as far as depth needs it. */
 typedef struct stad_depth {
     uint32_t focal_baseline_q4; /* f * B * 16, px * mm * 16, 1 .. 2^31: f 436.244 px and B 110.08 mm give 768351 */
     int16_t offset_q4;          /* px * 16, added to every disparity */

@@ -14,6 +14,7 @@
 extern "C" {
 #endif
 
+/* The view. Make one by hand or with stad_image_packed(). */
 typedef struct stad_image {
     const uint8_t *pix;   /* first sample of row 0; borrowed */
     int32_t width;        /* pixels */

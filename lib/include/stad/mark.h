@@ -32,7 +32,7 @@ extern "C" {
 
 /* A point of an image, Q8 pixels. */
 typedef struct stad_corner {
-    int32_t x_q8, y_q8;
+    int32_t x_q8, y_q8; /* px * 256 */
 } stad_corner;
 
 /* One mark in one image. The corners are those of the black square, in the order top left, top right, bottom right, bottom
@@ -46,7 +46,7 @@ typedef struct stad_mark {
 
 /* The same mark in both views. */
 typedef struct stad_pair {
-    int16_t id;
+    int16_t id;                    /* of the mark */
     stad_corner left[4], right[4]; /* Q8 px, same order */
 } stad_pair;
 
@@ -57,16 +57,18 @@ typedef struct stad_mark_config {
     uint8_t min_contrast; /* grey levels, 8 .. 128: least difference of black and white within 12 x 12 pixels */
 } stad_mark_config;
 
+/* Fills in what is said above. */
 void stad_mark_config_default(stad_mark_config *c);
 
 /* Bytes of workspace for an image, an integer constant expression for constant arguments: 27.6 KB at 320 x 240, 74 KB at
  * 640 x 480. In order: the dark map (1 bit a pixel), extremes of four tile rows, two rows of runs, components, their free
  * list, one contour, the cells of one mark. stad_mark_bytes() gives the same number at run time, 0 for an invalid size. */
-#define STAD_MARK_PAD(bytes) (((size_t)(bytes) + 7u) / 8u * 8u)
 #define STAD_MARK_BYTES(width, height)                                                                                       \
     (STAD_MARK_PAD(((size_t)(width) + 7u) / 8u * (size_t)(height)) + STAD_MARK_PAD(((size_t)(width) + 3u) / 4u * 8u) +       \
      STAD_MARK_PAD(12u * ((size_t)(width) / 2u + 2u)) + STAD_MARK_PAD(24u * ((size_t)(width) + 8u)) +                        \
      STAD_MARK_PAD(2u * ((size_t)(width) + 8u)) + STAD_MARK_PAD(12u * ((size_t)(width) + (size_t)(height))) + 160u)
+#define STAD_MARK_PAD(bytes) (((size_t)(bytes) + 7u) / 8u * 8u) /* up to whole words */
+/* The same at run time; 0 for an invalid size. */
 size_t stad_mark_bytes(int32_t width, int32_t height);
 
 /* A cell of the mark as printed: 1 white, 0 black. `row`, `column`: 0 .. 7 from the top left of the black square; the cells

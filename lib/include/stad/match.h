@@ -37,6 +37,7 @@ enum stad_memory {
     STAD_MEMORY_SMALL = 1 /* recomputes what can be recomputed exactly */
 };
 
+/* What fixes the memory. */
 typedef struct stad_geometry {
     int16_t width, height;      /* px of both frames */
     int16_t channels;           /* 1 or 3 */
@@ -66,7 +67,7 @@ enum stad_match_option {
 
 /* A matcher. Declare it where you like; the field is private. */
 typedef struct stad_match {
-    uint64_t opaque[STAD_MATCH_WORDS];
+    uint64_t opaque[STAD_MATCH_WORDS]; /* private */
 } stad_match;
 
 /* Bytes of workspace for a geometry: the number that STAD_MATCH_BYTES() gives at compile time; 0 if the geometry is

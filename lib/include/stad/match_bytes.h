@@ -15,6 +15,8 @@
 /* Columns that are handled as one run, so that their costs stay in the nearest cache. */
 #define STAD_RUN 16
 
+/* What follows adds up to STAD_MATCH_BYTES(), and is of no use by itself. @cond */
+
 #define STAD_BYTES_UP(n)     (((size_t)(n) + 63u) & ~(size_t)63u)
 #define STAD_BYTES_MAX(a, b) ((a) > (b) ? (a) : (b))
 
@@ -125,6 +127,8 @@
      STAD_PART_TOTALS(w, d, mode, memory, narrow) + STAD_PART_LANES(w, d, mode, memory, narrow) + \
      STAD_PART_SEGMENT(w, h, d, mode, memory, narrow, safe) + STAD_PART_CHECKPOINTS(w, h, d, mode, memory, narrow, safe) + \
      STAD_PART_RUN(d) + STAD_PART_ROWS(w))
+
+/* @endcond */
 
 /* The whole workspace, bytes. All arguments as in stad_geometry; each is used many times: pass constants. */
 #define STAD_MATCH_BYTES(width, height, channels, max_disp, max_block, max_p2, max_cap, mode, memory) \

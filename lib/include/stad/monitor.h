@@ -21,12 +21,14 @@
 extern "C" {
 #endif
 
+/* What stad_monitor_frame() answers. */
 enum stad_monitor_state {
     STAD_MONITOR_LEARNING = 0, /* not enough frames yet to know what is usual */
     STAD_MONITOR_OK = 1,
     STAD_MONITOR_DEGRADED = 2 /* this frame raised the alarm; the next answers are OK until the cool-down is over */
 };
 
+/* How soon it alarms. Start from stad_monitor_defaults(). */
 typedef struct stad_monitor_config {
     int16_t learn_frames;    /* 2..1000: frames that teach mean and deviation; default 30 */
     int16_t cooldown_frames; /* 0..32767: frames after an alarm without another; default 64 */
@@ -40,10 +42,10 @@ typedef struct stad_monitor_config {
 
 /* State: no pointers, copy it freely. */
 typedef struct stad_monitor {
-    stad_monitor_config config;
+    stad_monitor_config config; /* as given */
     int32_t share_q16; /* firm / considered of the last frame */
-    int32_t mean_q16;
-    int32_t sigma_q16;
+    int32_t mean_q16;  /* what is usual */
+    int32_t sigma_q16; /* and how much it varies */
     int32_t sum_q8;      /* the CUSUM */
     int64_t learn_sum;   /* sum of shares while learning, <= 1000 * 2^16 */
     int64_t learn_sq;    /* sum of squares, <= 1000 * 2^32 */
@@ -68,6 +70,8 @@ int stad_monitor_frame(stad_monitor *m, const stad_match_counts *counts);
 
 /* 1 when it is time to look for marks; stad_monitor_looked() starts the wait anew. */
 int stad_monitor_look_due(const stad_monitor *m);
+
+/* Marks have been looked for. */
 void stad_monitor_looked(stad_monitor *m);
 
 #ifdef __cplusplus

@@ -13,8 +13,14 @@ extern "C" {
 #endif
 
 /* Same numbers as cv::StereoSGBM::MODE_*. */
-enum stad_mode { STAD_MODE_SGBM = 0, STAD_MODE_HH = 1, STAD_MODE_3WAY = 2, STAD_MODE_HH4 = 3 };
+enum stad_mode {
+    STAD_MODE_SGBM = 0, /* five paths, one pass: the usual choice */
+    STAD_MODE_HH = 1,   /* eight paths, two passes: keeps the whole frame */
+    STAD_MODE_3WAY = 2, /* three paths, least memory */
+    STAD_MODE_HH4 = 3   /* four paths, two passes */
+};
 
+/* A set of parameters. stad_params_sample() and stad_params_default() fill it. */
 typedef struct stad_params {
     int16_t min_disparity;       /* px, smallest disparity searched; may be negative */
     int16_t num_disparities;     /* px, > 0; a multiple of 16 (8 is enough outside STAD_MODE_3WAY) */

@@ -52,6 +52,7 @@ enum stad_score_cost {
 };
 #define STAD_SCORE_TERMS 11 /* the costs that can be weighted */
 
+/* What to count and what to make of it. Start from stad_score_config_init(). */
 typedef struct stad_score_config {
     int16_t min_disparity;   /* px, as matched */
     int16_t num_disparities; /* px, as matched, > 0 */
@@ -80,8 +81,8 @@ typedef struct stad_score_counts {
 
 /* A scorer. Read `counts` freely; the rest is private. Copyable. */
 typedef struct stad_score {
-    stad_score_config config;
-    stad_score_counts counts;
+    stad_score_config config; /* as given */
+    stad_score_counts counts; /* so far */
     int32_t histogram[32]; /* matched pixels in 32 equal bins of the disparity range, for the entropy */
 } stad_score;
 
@@ -116,7 +117,7 @@ int32_t stad_score_cost_of(const stad_score *s, int cost);
 /* Root mean square error and mean absolute error over visible pixels with a disparity, px * 65536, rounded; 0 when there
  * are none. */
 int32_t stad_score_rmse_q16(const stad_score *s);
-int32_t stad_score_mae_q16(const stad_score *s);
+int32_t stad_score_mae_q16(const stad_score *s); /* the latter */
 
 /* Labels a row of dense truth. A pixel is occluded when another left pixel of the row whose disparity is more than 1 px
  * larger lands on its right column, or when its column x - d, rounded, is outside the right image; a pixel lands on both

@@ -11,6 +11,7 @@
 extern "C" {
 #endif
 
+/* The statuses. */
 enum stad_status {
     STAD_OK = 0,
     STAD_AGAIN = -1,     /* nothing ready yet: do the other half first (push before pull, pull before push) */

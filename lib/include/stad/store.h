@@ -35,7 +35,7 @@ typedef struct stad_setup {
     uint8_t channels;      /* 1 or 3 */
     uint8_t origin;        /* enum stad_origin */
     uint8_t corrected;     /* 1: `rig` is to be applied to the right view; 0: `rig` is the identity */
-    stad_params params;
+    stad_params params;    /* to match with */
     stad_rig rig; /* for frames of width x height; the identity unless `corrected` */
 } stad_setup;
 
@@ -51,12 +51,13 @@ int stad_setup_unpack(const uint8_t *bytes, size_t n, stad_setup *setup, uint32_
 /* STAD_OK, or STAD_E_PARAM when a field is outside its domain: what pack refuses to check and save and unpack do. */
 int stad_setup_check(const stad_setup *setup);
 
+/* Sectors of the store. */
 enum stad_slot { STAD_SLOT_A = 0, STAD_SLOT_B = 1, STAD_SLOT_FACTORY = 2 };
 
 /* The caller's flash. Offsets are his own; each slot is one sector. A function returns 0, or anything else for a
  * failure: a failed read leaves the slot neither good nor bad, so it is not erased. */
 typedef struct stad_flash {
-    int (*read)(void *user, uint32_t offset, void *bytes, uint32_t count);
+    int (*read)(void *user, uint32_t offset, void *bytes, uint32_t count);          /* any offset and count within a slot */
     int (*program)(void *user, uint32_t offset, const void *bytes, uint32_t count); /* count: a multiple of the granule */
     int (*erase)(void *user, uint32_t offset);                                      /* the sector at offset, to 0xff */
     void *user;               /* handed to the three */

@@ -38,12 +38,14 @@ enum stad_tune_dim {
     STAD_TUNE_PRE_FILTER_CAP = 4,
     STAD_TUNE_DISP12_MAX_DIFF = 5
 };
-#define STAD_TUNE_DIMS 6
+#define STAD_TUNE_DIMS 6 /* coordinates */
 
+/* A point. */
 typedef struct stad_point {
     int16_t v[STAD_TUNE_DIMS]; /* by enum stad_tune_dim */
 } stad_point;
 
+/* The search. */
 enum stad_tune_method {
     STAD_TUNE_NCG = 0,       /* swept lattice conjugate gradient: the one to use */
     STAD_TUNE_NCG_PAPER = 1, /* nonlinear conjugate gradient as the literature writes it: for comparison */
@@ -61,6 +63,7 @@ enum stad_tune_scale {
     STAD_TUNE_POWER = 4 /* discrete: powers of two, polled one to either side */
 };
 
+/* A coordinate's range and steps. */
 typedef struct stad_tune_axis {
     int16_t lo, hi; /* inclusive; lo >= 1 for all but LINEAR */
     int16_t
@@ -69,8 +72,9 @@ typedef struct stad_tune_axis {
     int8_t side;   /* +1 or -1: where to look first */
 } stad_tune_axis;
 
-#define STAD_TUNE_LADDER 6
+#define STAD_TUNE_LADDER 6 /* rungs at most */
 
+/* What a tuner is told. Start from stad_tune_config_stereo(). */
 typedef struct stad_tune_config {
     uint8_t method;    /* enum stad_tune_method */
     uint8_t free_mask; /* bit i set: coordinate i is free; the others keep the value of the start */
@@ -80,7 +84,7 @@ typedef struct stad_tune_config {
     int16_t budget;       /* distinct evaluations, 1..STAD_TUNE_LOG */
     int16_t patience;     /* 0: use the whole budget; 1: stop when the first descent has converged */
     uint32_t seed;        /* of the random search of STAD_TUNE_HYBRID */
-    stad_tune_axis axis[STAD_TUNE_DIMS];
+    stad_tune_axis axis[STAD_TUNE_DIMS]; /* by enum stad_tune_dim */
     stad_point ladder[STAD_TUNE_LADDER]; /* further points to start from; they are scored first and count */
 } stad_tune_config;
 
@@ -93,17 +97,17 @@ typedef struct stad_tune_counts {
 
 /* A tuner. Private but for being copied and compared with memcmp. */
 typedef struct stad_tune {
-    stad_tune_config config;
-    stad_point start;
+    stad_tune_config config; /* as given */
+    stad_point start;   /* brought to the lattice */
     stad_point pending; /* the point asked for */
     int16_t count;      /* entries of the log */
     int16_t best;       /* the best of them, -1 before the first */
     int16_t cursor;     /* where the log is expected to answer next */
     int16_t lead;       /* the best entry that the current rerun has met */
     int16_t phase;      /* 0 not initialised, 1 asking, 2 finished */
-    stad_tune_counts counts;
-    stad_point point[STAD_TUNE_LOG];
-    int32_t cost[STAD_TUNE_LOG];
+    stad_tune_counts counts; /* so far */
+    stad_point point[STAD_TUNE_LOG]; /* the log: points */
+    int32_t cost[STAD_TUNE_LOG];     /* and their costs */
 } stad_tune;
 
 /* Which start ladder stad_tune_config_stereo() brings: points that were good on scenes of each kind, fitted for the cost that is
@@ -143,13 +147,16 @@ stad_tune_counts stad_tune_counts_of(const stad_tune *t);
 /* A single method, for a firmware that wants no other code linked: stad_tune_init() and stad_tune_tell() choose among all of
  * them, these do not. Use a pair throughout; config.method must name it. ask, best and trace are the same for all. */
 int stad_tune_ncg_init(stad_tune *t, const stad_tune_config *c, const stad_point *start);
-int stad_tune_ncg_tell(stad_tune *t, int32_t cost_q20);
-int stad_tune_paper_init(stad_tune *t, const stad_tune_config *c, const stad_point *start);
-int stad_tune_paper_tell(stad_tune *t, int32_t cost_q20);
-int stad_tune_sd_init(stad_tune *t, const stad_tune_config *c, const stad_point *start);
-int stad_tune_sd_tell(stad_tune *t, int32_t cost_q20);
-int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_point *start);
-int stad_tune_hybrid_tell(stad_tune *t, int32_t cost_q20);
+int stad_tune_ncg_tell(stad_tune *t, int32_t cost_q20); /* method STAD_TUNE_NCG */
+
+int stad_tune_paper_init(stad_tune *t, const stad_tune_config *c, const stad_point *start); /* STAD_TUNE_NCG_PAPER */
+int stad_tune_paper_tell(stad_tune *t, int32_t cost_q20);                                   /* STAD_TUNE_NCG_PAPER */
+
+int stad_tune_sd_init(stad_tune *t, const stad_tune_config *c, const stad_point *start); /* STAD_TUNE_SD */
+int stad_tune_sd_tell(stad_tune *t, int32_t cost_q20);                                   /* STAD_TUNE_SD */
+
+int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_point *start); /* STAD_TUNE_HYBRID */
+int stad_tune_hybrid_tell(stad_tune *t, int32_t cost_q20);                                   /* STAD_TUNE_HYBRID */
 
 #ifdef __cplusplus
 }
