@@ -52,6 +52,7 @@ extern "C" {
 
 /* -- what is asked for ------------------------------------------------------------------------------------------- */
 
+/* What stad_calib_want() answers. */
 enum stad_want {
     STAD_WANT_NOTHING = 0,
     STAD_WANT_FRAME = 1, /* a fresh raw pair -> stad_calib_frame() */
@@ -59,6 +60,7 @@ enum stad_want {
     STAD_WANT_SAVE = 3   /* stad_calib_setup() to be stored -> stad_calib_saved() */
 };
 
+/* A wish of the calibration. */
 typedef struct stad_request {
     uint8_t want; /* enum stad_want */
     uint8_t hold; /* FRAME: the buffer (0, 1) that the pair goes to if it is kept; MATCH: the buffer to match */
@@ -69,19 +71,21 @@ typedef struct stad_request {
 
 /* -- what it is told to do --------------------------------------------------------------------------------------- */
 
+/* When a set that was tuned is adopted. */
 enum stad_rule {
     STAD_RULE_DEFAULT = 0, /* tuned: better on the other pose by the margin; a preset: not worse there */
     STAD_RULE_STRICT = 1,  /* the whole change, preset included, better on the other pose by the margin */
     STAD_RULE_NONE = 2     /* whatever was best on the tuning frame: for studies */
 };
 
-#define STAD_PRESETS 7
+#define STAD_PRESETS 7 /* points a run can start from: stad_calib_preset() */
 
+/* What a calibration is told. Start from stad_calib_config_default(). */
 typedef struct stad_calib_config {
     stad_geometry geometry;    /* of the live matcher: no set is asked for that would not fit it */
     const stad_target *target; /* stad_target_relief(), or a constant table of your own */
-    stad_camera camera;
-    stad_monitor_config monitor;
+    stad_camera camera;        /* both views' */
+    stad_monitor_config monitor; /* when to ask for a run */
     uint32_t ids;             /* bit i: mark i may be used; default all of the target's */
     int16_t margin_px;        /* stad_truth_init()'s; default 1 */
     int16_t pose_px;          /* mean move of the corners that makes another pose; default 6 */
@@ -101,6 +105,7 @@ typedef struct stad_calib_config {
 
 /* -- what it says ------------------------------------------------------------------------------------------------ */
 
+/* Where a run stands. */
 enum stad_calib_phase {
     STAD_CALIB_IDLE = 0,
     STAD_CALIB_LOOK = 1,      /* for marks: the tuning frame */
@@ -145,6 +150,7 @@ enum stad_calib_fault {
     STAD_FAULT_SIZE = 10      /* not the geometry's size */
 };
 
+/* What the calibration says of itself. Costs are Q20. */
 typedef struct stad_calib_report {
     uint8_t phase;          /* enum stad_calib_phase */
     uint8_t outcome;        /* enum stad_calib_outcome */
@@ -169,27 +175,27 @@ typedef struct stad_calib_report {
 /* A frame that is held by the application, as far as calib remembers it. */
 typedef struct stad_calib_pose {
     stad_pair pairs[STAD_CALIB_PAIRS]; /* raw */
-    int32_t count;
+    int32_t count; /* of them */
     stad_truth truth; /* of the crop, after correction */
-    stad_box box;
+    stad_box box; /* the crop */
 } stad_calib_pose;
 
 /* What the health check remembers of a view. */
 typedef struct stad_calib_view {
-    uint32_t hash;
-    int32_t seen;
+    uint32_t hash; /* of the last picture */
+    int32_t seen;  /* pictures so far */
 } stad_calib_view;
 
 /* Private; read it through the calls. */
 typedef struct stad_calib {
-    stad_calib_config config;
-    stad_monitor monitor;
-    stad_setup active, previous, candidate;
-    stad_calib_pose pose[2];
-    stad_calib_view view[2];
+    stad_calib_config config; /* as given */
+    stad_monitor monitor;     /* of the live frames */
+    stad_setup active, previous, candidate; /* setups: in use, to roll back to, on trial */
+    stad_calib_pose pose[2]; /* the held pairs */
+    stad_calib_view view[2]; /* left, right */
     stad_pair pool[STAD_CALIB_POOL + STAD_CALIB_PAIRS]; /* raw */
-    stad_calib_report report;
-    stad_tune tune;
+    stad_calib_report report; /* stad_calib_report_of() */
+    stad_tune tune;           /* the search */
     stad_point pick, tuned;      /* the picked preset (or the set in use), the tuner's best */
     int32_t pick_q20, tuned_q20; /* their costs on the tuning frame */
     int32_t pick_score_q20;      /* the same with the preset's handicap */
@@ -197,10 +203,10 @@ typedef struct stad_calib {
     int32_t compared_q20;        /* on probation: the new set's cost */
     int16_t step;                /* within a phase */
     int16_t vain;                /* frames without use */
-    int16_t pooled;
+    int16_t pooled;              /* pairs in the pool */
     int16_t trial_frames;        /* live frames of the probation */
     uint8_t scheduled;           /* the run was begun by the schedule: one frame, then leave it */
-    uint8_t alarmed_on_trial;
+    uint8_t alarmed_on_trial;    /* 1: the monitor asked during the probation */
 } stad_calib;
 
 /* Defaults for a matcher of that geometry and a target; the camera is the caller's to give. */
@@ -226,6 +232,7 @@ int stad_calib_want(const stad_calib *c, stad_request *r);
 /* Workspace of stad_calib_frame(). */
 #define STAD_CALIB_FRAME_BYTES(width, height) (STAD_MARK_BYTES(width, height) + STAD_CALIB_SCRATCH)
 #define STAD_CALIB_SCRATCH 4608u /* marks and pairs of a frame, and copies of the pairs of several */
+/* The same at run time. */
 size_t stad_calib_frame_bytes(int32_t width, int32_t height);
 
 /* A fresh raw pair. `left` or `right` NULL: it did not come in time. Returns 1: hold the pair in buffer r.hold; 0:
@@ -261,14 +268,16 @@ int stad_calib_preset(int i, int channels, stad_point *point, const char **name)
 
 /* -- the one evaluation, done for you ---------------------------------------------------------------------------- */
 
+/* What an evaluation works with. */
 typedef struct stad_evaluator {
-    stad_match match;
-    stad_score score;
+    stad_match match; /* of the crop */
+    stad_score score; /* against its truth */
 } stad_evaluator;
 
 /* Workspace: the live matcher's (its geometry), and STAD_CALIB_ROWS_BYTES() for five rows. Aligned to STAD_ALIGN. */
 #define STAD_CALIB_ROWS_BYTES(width, channels) \
     (((size_t)(width) * (7u + 2u * (size_t)(channels)) + STAD_ALIGN - 1u) / STAD_ALIGN * STAD_ALIGN)
+/* The bytes of both. */
 size_t stad_calib_evaluate_bytes(const stad_geometry *geometry);
 
 /* Matches the crop of a MATCH request on a held raw pair and scores it against the truth: the cost, or

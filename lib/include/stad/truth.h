@@ -28,34 +28,37 @@ extern "C" {
 
 /* d = (a_q16 x + b_q16 y + c_q16) / 65536 px at left pixel (x, y). Within its polygon |d| < 2048 px, |a|, |b| < 1. */
 typedef struct stad_plane {
-    int32_t a_q16, b_q16, c_q16;
+    int32_t a_q16, b_q16, c_q16; /* px per px, px per px, px */
 } stad_plane;
 
 /* A convex polygon of the left image; its corners in order, either way round. */
-#define STAD_POLYGON_MAX 8
+#define STAD_POLYGON_MAX 8 /* corners at most */
+
+/* The polygon. */
 typedef struct stad_polygon {
     int32_t count; /* 3 .. STAD_POLYGON_MAX */
-    stad_corner p[STAD_POLYGON_MAX];
+    stad_corner p[STAD_POLYGON_MAX]; /* the corners, Q8 px */
 } stad_polygon;
 
 /* A box of pixels. */
 typedef struct stad_box {
-    int16_t x, y, width, height;
+    int16_t x, y, width, height; /* px; x, y: the top left one */
 } stad_box;
 
 /* Planes and masks that a truth can hold; the relief target takes 13. */
 #define STAD_TRUTH_LAYERS 16
 
+/* A plane or a mask. */
 typedef struct stad_truth_layer {
-    stad_plane plane;
-    stad_polygon where;
-    int32_t is_mask;
+    stad_plane plane;   /* of a mask: unused */
+    stad_polygon where; /* left pixels */
+    int32_t is_mask;    /* 1: nothing is scored here */
 } stad_truth_layer;
 
 /* A truth, 1.4 KB. Declare it anywhere, fill it by the calls below; the fields are private. */
 typedef struct stad_truth {
-    int16_t width, height, min_disparity, num_disparities, margin, count;
-    stad_truth_layer layer[STAD_TRUTH_LAYERS];
+    int16_t width, height, min_disparity, num_disparities, margin, count; /* as stad_truth_init() was told; layers */
+    stad_truth_layer layer[STAD_TRUTH_LAYERS]; /* in the order they were added */
 } stad_truth;
 
 /* An empty truth for frames of width x height (16 .. 2048) and the matcher's range of disparities: columns in which the
