@@ -37,3 +37,24 @@ consume() {
     # a library inside a project brings no tools, tests or examples along
     [ ! -e "$work/consumer/build/stad" ] || { echo "FAILED: the tools were built too"; exit 1; }
 }
+
+# venv_with NAME PACKAGE...: a virtual environment with these Python packages, kept in the build folder; sets $venv.
+venv_with() {
+    venv=${STAD_BUILD:-$work}/venv-$1
+    shift
+    [ -e "$venv/complete" ] && return
+    rm -rf "$venv"
+    python3 -m venv "$venv" 2>/dev/null || skip "python3 has no venv (Debian: python3-venv)"
+    "$venv/bin/pip" -q install "$@" >"$work/log" 2>&1 || skip "pip cannot install $* here"
+    touch "$venv/complete"
+}
+
+# A copy of what git knows of the source, or of all of it.
+copy_source() {
+    mkdir -p "$1"
+    if git -C "$source_dir" rev-parse HEAD >/dev/null 2>&1; then
+        (cd "$source_dir" && git ls-files -z --cached --others --exclude-standard | xargs -0 ls -d 2>/dev/null | tar -c -T -) | tar -x -C "$1"
+    else
+        cp -r "$source_dir/." "$1"
+    fi
+}
