@@ -3,48 +3,12 @@
  *
  * The input's first bytes choose geometry, parameters and the order of calls; the rest are pixels, repeated as needed. Small
  * defined cases are held against the reference; all run on guarded buffers under the sanitizers. */
-#include <stdlib.h>
 #include <string.h>
 
+#include "fuzz/fuzz.h"
 #include "stad/match.h"
 #include "support/reference.h"
 #include "support/subject.h"
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-typedef struct bytes {
-    const uint8_t *at;
-    size_t left;
-} bytes;
-
-static int next(bytes *b)
-{
-    int v = b->left ? *b->at : 0;
-    b->at += b->left > 0;
-    b->left -= b->left > 0;
-    return v;
-}
-
-/* Mostly small, sometimes any int16. */
-static int16_t number(bytes *b, int usual)
-{
-    int v = next(b);
-    return (int16_t)(v < 240 ? v % usual : next(b) * 256 + next(b) - 32768);
-}
-
-static void fill(uint8_t *to, size_t n, const bytes *b)
-{
-    for (size_t i = 0; i < n; i++) {
-        to[i] = b->left ? b->at[(i * 7 + i / b->left) % b->left] : (uint8_t)(i * 29);
-    }
-}
-
-static void expect(int condition)
-{
-    if (!condition) {
-        abort();
-    }
-}
 
 static void drive(stad_match *m, const stad_geometry *g, const stad_params *p, bytes *b)
 {
@@ -52,9 +16,8 @@ static void drive(stad_match *m, const stad_geometry *g, const stad_params *p, b
     uint8_t *left = subject_alloc(line * h, 0, 1), *right = subject_alloc(line * h, 0, 2);
     int16_t *row = subject_alloc(w * 2, 0, 3), *map = calloc(w * h, 2), *expected = calloc(w * h, 2);
     int calls = 0, pushed = 0, pulled = 0;
-    fill(left, line * h, b);
-    next(b);
-    fill(right, line * h, b);
+    fill(left, line * h, b, 0);
+    fill(right, line * h, b, 1);
     while (pulled < g->height && calls++ < 6 * g->height + 40) {
         int push = calls > 30 ? pushed < g->height && calls % 2 : next(b) % 2;
         int status = push ? stad_match_push(m, left + (size_t)(pushed % g->height) * line, right + (size_t)(pushed % g->height) * line)
