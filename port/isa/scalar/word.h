@@ -10,6 +10,7 @@
 typedef uint32_t __attribute__((may_alias)) word;
 
 #define WORD_INLINE static inline __attribute__((always_inline))
+#define WORD_TOPS   0x80008000u
 
 /* The two lanes of value v. */
 WORD_INLINE word word_set(int32_t v)
@@ -20,13 +21,13 @@ WORD_INLINE word word_set(int32_t v)
 /* v > 0 ? v : 0, without a branch. */
 WORD_INLINE int32_t floor_i32(int32_t v)
 {
+#if defined(__ARM_FEATURE_SAT)
+    int32_t floor;
+    __asm__("usat %0, #31, %1" : "=r"(floor) : "r"(v));
+    return floor;
+#else
     return v & ~(v >> 31);
-}
-
-WORD_INLINE int32_t least_i32(int32_t a, int32_t b)
-{
-    const int32_t difference = a - b;
-    return b + (difference & (difference >> 31));
+#endif
 }
 
 #endif
