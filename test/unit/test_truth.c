@@ -252,6 +252,37 @@ static void test_truth_flat_card_needs_no_camera(void)
     TEST_ASSERT_EQUAL_INT(STAD_E_PARAM, stad_truth_from_target(&t, stad_target_relief(), pairs, n, NULL));
 }
 
+/* A leaning sheet gives a wrong focal length or principal point away; one seen head on cannot. */
+static void test_truth_wrong_camera_makes_no_sheet(void)
+{
+    static const double factors[] = {0.3, 0.5, 0.7, 1.4, 2.0, 5.0};
+    stad_pair pairs[32];
+    stad_truth t;
+    for (unsigned seed = 31; seed <= 35; seed++) {
+        mark_case c = case_of(seed);
+        c.pose.pitch = 0.5;
+        case_render(&c);
+        const int n = case_pairs(pairs, 32);
+        for (unsigned i = 0; i < 6; i++) {
+            stad_camera camera = target_camera_fixed(&c.camera);
+            camera.f_q8 = (int32_t)(camera.f_q8 * factors[i]);
+            stad_truth_init(&t, CASE_WIDTH, CASE_HEIGHT, 0, 64, 1);
+            snprintf(message, sizeof message, "seed %u, focal length times %.1f", seed, factors[i]);
+            TEST_ASSERT_EQUAL_INT_MESSAGE(STAD_E_RIG, stad_truth_from_target(&t, c.target, pairs, n, &camera), message);
+        }
+        stad_camera aside = target_camera_fixed(&c.camera);
+        aside.cx_q8 = aside.cy_q8 = 0;
+        stad_truth_init(&t, CASE_WIDTH, CASE_HEIGHT, 0, 64, 1);
+        TEST_ASSERT_EQUAL_INT(STAD_E_RIG, stad_truth_from_target(&t, c.target, pairs, n, &aside));
+        c.pose.pitch = c.pose.yaw = 0;
+        case_render(&c);
+        stad_camera camera = target_camera_fixed(&c.camera);
+        camera.f_q8 *= 2;
+        stad_truth_init(&t, CASE_WIDTH, CASE_HEIGHT, 0, 64, 1);
+        TEST_ASSERT_GREATER_THAN(0, stad_truth_from_target(&t, c.target, pairs, case_pairs(pairs, 32), &camera));
+    }
+}
+
 static void test_truth_bad_polygons_and_planes_refused(void)
 {
     stad_truth t;
@@ -311,6 +342,7 @@ int main(void)
     RUN_TEST(test_truth_crop_gives_the_rows_of_the_frame);
     RUN_TEST(test_truth_rendered_relief_within_a_sixteenth);
     RUN_TEST(test_truth_flat_card_needs_no_camera);
+    RUN_TEST(test_truth_wrong_camera_makes_no_sheet);
     RUN_TEST(test_truth_bad_polygons_and_planes_refused);
     RUN_TEST(test_truth_hull_holds_all_points);
     return UNITY_END();

@@ -147,7 +147,8 @@ enum stad_calib_fault {
     STAD_FAULT_MARKS = 7,     /* too few marks, or marks that do not fit one sheet (a torn frame, a bent sheet) */
     STAD_FAULT_RANGE = 8,     /* the target is nearer or farther than the matcher searches */
     STAD_FAULT_RIG = 9,       /* rows do not agree and no small correction makes them */
-    STAD_FAULT_SIZE = 10      /* not the geometry's size */
+    STAD_FAULT_SIZE = 10,     /* not the geometry's size */
+    STAD_FAULT_CAMERA = 11    /* the marks make no rectangular sheet in space: a wrong focal length or principal point */
 };
 
 /* What the calibration says of itself. Costs are Q20. */

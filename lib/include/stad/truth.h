@@ -107,8 +107,10 @@ int stad_plane_fit(stad_plane *plane, stad_plane_report *report, const stad_pair
  * identities are ignored), each raised facet from the base plane, its height and the focal length, its walls masked.
  * A target without raised facets needs no cameras: pass NULL. Returns the number of planes added (facets seen from behind or
  * edge on are masked). STAD_E_NO_MARK: too few marks, marks that do not fit one plane, or fewer pixels than stad_truth_pixels()
- * asks for; STAD_E_PARAM: cameras missing or out of range; STAD_E_LIMIT: too many layers. After an error *t is undefined.
- * The focal length matters through the sheet's tilt alone: it bends facets, not the base. */
+ * asks for; STAD_E_PARAM: cameras missing or out of range; STAD_E_LIMIT: too many layers; STAD_E_RIG: with these cameras three
+ * or more marks make no rectangular sheet in space, as focal length or principal point are wrong. After an error *t is undefined.
+ * The focal length matters through the sheet's tilt alone: it bends facets, not the base; so only a sheet that leans gives it away,
+ * by half a radian an error of about a quarter. */
 int stad_truth_from_target(stad_truth *t, const stad_target *target, const stad_pair *pairs, int n, const stad_camera *camera);
 
 #ifdef __cplusplus

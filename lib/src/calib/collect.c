@@ -148,8 +148,10 @@ static int make_truth(const stad_calib *c, stad_calib_pose *pose, const stad_rig
     if (stad_truth_init(&pose->truth, g->width, g->height, p->min_disparity, p->num_disparities,
                         c->config.margin_px) != STAD_OK)
         return STAD_FAULT_MARKS;
-    if (stad_truth_from_target(&pose->truth, c->config.target, straight, pose->count, &c->config.camera) < 0)
-        return STAD_FAULT_MARKS;
+    int status =
+        stad_truth_from_target(&pose->truth, c->config.target, straight, pose->count, &c->config.camera);
+    if (status < 0)
+        return status == STAD_E_RIG ? STAD_FAULT_CAMERA : STAD_FAULT_MARKS;
     pose->box = stad_truth_box(&pose->truth);
     if (pose->box.width <= 0 || stad_truth_crop(&pose->truth, &pose->box) != STAD_OK)
         return STAD_FAULT_MARKS;
@@ -349,7 +351,7 @@ static int status_of(int fault)
 {
     if (fault == STAD_FAULT_MARKS || fault == STAD_FAULT_RANGE)
         return STAD_E_NO_MARK;
-    if (fault == STAD_FAULT_RIG)
+    if (fault == STAD_FAULT_RIG || fault == STAD_FAULT_CAMERA)
         return STAD_E_RIG;
     if (fault == STAD_FAULT_LATE)
         return STAD_AGAIN;

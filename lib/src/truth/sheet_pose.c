@@ -90,6 +90,18 @@ int stad_sheet_pose(sheet_pose *pose, const stad_target *target, const stad_came
     return set_up_vector(pose);
 }
 
+int stad_sheet_is_square(const sheet_pose *pose)
+{
+    int64_t xx = 0, yy = 0, xy = 0; /* |along| < 2^23: each below 2^48 */
+    for (int k = 0; k < 3; k++) {
+        xx += (int64_t)pose->along_x[k] * pose->along_x[k];
+        yy += (int64_t)pose->along_y[k] * pose->along_y[k];
+        xy += (int64_t)pose->along_x[k] * pose->along_y[k];
+    }
+    const int64_t unlike = xx > yy ? xx - yy : yy - xx, leaning = xy < 0 ? -2 * xy : 2 * xy;
+    return 32 * (unlike > leaning ? unlike : leaning) <= xx + yy;
+}
+
 int stad_sheet_see(const sheet_pose *pose, int32_t x_mm, int32_t y_mm, int32_t h_mm, sheet_sight *sight)
 {
     int64_t p[3]; /* Q24, below 2^34 + 3 * 2^23 * 2^12 < 2^37 */

@@ -25,6 +25,10 @@ typedef struct sheet_sight {
 int stad_sheet_pose(sheet_pose *pose, const stad_target *target, const stad_camera *camera, const stad_plane *base,
                      const stad_pair *pairs, int n, uint32_t ids);
 
+/* Are a millimetre across and one down alike, and at a right angle, to a part in 32 of their squares? On a sheet that leans they
+ * are not when focal length or principal point are wrong. */
+int stad_sheet_is_square(const sheet_pose *pose);
+
 /* 1, or 0 when the point is behind the camera or too far outside the image. */
 int stad_sheet_see(const sheet_pose *pose, int32_t x_mm, int32_t y_mm, int32_t h_mm, sheet_sight *sight);
 

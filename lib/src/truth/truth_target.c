@@ -72,6 +72,15 @@ static int camera_ok(const stad_camera *c)
     return c->f_q8 >= 16 * 256 && c->f_q8 < most && abs_i32(c->cx_q8) < most && abs_i32(c->cy_q8) < most;
 }
 
+/* Pairs of marks that the pose rests on. */
+static int count_marks(const stad_pair *pairs, int n, uint32_t ids)
+{
+    int count = 0;
+    for (int i = 0; i < n; i++)
+        count += pairs[i].id < 32 && (ids >> (pairs[i].id & 31) & 1u);
+    return count;
+}
+
 int stad_truth_from_target(stad_truth *t, const stad_target *target, const stad_pair *pairs, int n, const stad_camera *camera)
 {
     /* Points of the base alone come out the same with any camera. */
@@ -91,6 +100,8 @@ int stad_truth_from_target(stad_truth *t, const stad_target *target, const stad_
         ids &= ~(1u << (report.dropped & 31));
     if (!stad_sheet_pose(&pose, target, camera ? camera : &any, &base, pairs, n, ids))
         return STAD_E_NO_MARK;
+    if (camera && count_marks(pairs, n, ids) >= 3 && !stad_sheet_is_square(&pose))
+        return STAD_E_RIG;
     const int status = add_base(t, &pose, target, &base);
     const int added = status < 0 ? status : add_parts(t, &pose, target);
     if (added < 0)
