@@ -118,7 +118,13 @@ static int32_t presets_deceive(const stad_request *r)
 
 static int32_t presets_help_a_little(const stad_request *r)
 {
-    return is_preset(&r->params) && !is_start(&r->params) ? POINTS(19) : POINTS(20);
+    return is_preset(&r->params) && !is_start(&r->params) ? POINTS(37) / 2 : POINTS(20);
+}
+
+/* Less than any handicap raises it. */
+static int32_t presets_help_by_chance(const stad_request *r)
+{
+    return is_preset(&r->params) && !is_start(&r->params) ? POINTS(39) / 2 : POINTS(20);
 }
 
 static int32_t away_from(int value, int best, int unit)
@@ -184,6 +190,14 @@ void test_calib_strict_rule_refuses_a_point(void)
     config.probation_frames = 0;
     run_trial(presets_help_a_little);
     TEST_ASSERT_TRUE(changed());
+}
+
+void test_calib_gain_below_every_handicap_picks_nothing(void)
+{
+    config.tunes = 0;
+    run_trial(presets_help_by_chance);
+    TEST_ASSERT_FALSE(changed());
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->preset);
 }
 
 void test_calib_tuned_set_is_adopted_when_it_holds(void)
@@ -523,6 +537,7 @@ int main(void)
     RUN_TEST(test_calib_helping_preset_is_adopted);
     RUN_TEST(test_calib_preset_that_fails_on_other_pose_is_dropped);
     RUN_TEST(test_calib_strict_rule_refuses_a_point);
+    RUN_TEST(test_calib_gain_below_every_handicap_picks_nothing);
     RUN_TEST(test_calib_tuned_set_is_adopted_when_it_holds);
     RUN_TEST(test_calib_tuned_set_that_does_not_hold_is_refused);
     RUN_TEST(test_calib_budget_is_never_exceeded);

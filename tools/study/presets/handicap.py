@@ -5,7 +5,7 @@
     STAD_DATA=folder python3 tools/study/presets/handicap.py --program build/calib-trial [--json OUT]
 
 For every trial and preset: log of the cost ratio on the rest of the scene (preset : sample) less the same on the target, one point added to every cost.
-The handicap is the mean over trials, 1.2 times as far from none for safety, never below none. Also prints what picking with it would have given, and the
+The handicap is the mean over trials, 1.2 times as far from none for safety, never below 5 %: a smaller gain on the target is no evidence. Also prints what picking with it would have given, and the
 same with the handicaps of the other scenes only."""
 import argparse
 import json
@@ -23,11 +23,12 @@ spec = spec_from_file_location("derive", os.path.join(HERE, "run.py"))
 derive = module_from_spec(spec)
 spec.loader.exec_module(derive)
 SAFETY = 1.2
+LEAST = 1.05
 
 
 def handicaps(rows):
     logs = [[math.log((set_[2] + 1) / (row["ladder"][0][2] + 1)) - math.log((set_[0] + 1) / (row["ladder"][0][0] + 1)) for set_ in row["ladder"]] for row in rows]
-    return [math.exp(max(0.0, SAFETY * sum(column) / len(column))) for column in zip(*logs)]
+    return [1.0] + [max(LEAST, math.exp(SAFETY * sum(column) / len(column))) for column in list(zip(*logs))[1:]]
 
 
 def picked(row, raised):
