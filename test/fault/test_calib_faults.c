@@ -183,6 +183,10 @@ static void make_torn(void)
     expose(NEAR_POSE);
     memcpy(right_pix, keep, PIXELS / 2);
 }
+static void make_with_target(void)
+{
+    expose(NEAR_POSE);
+}
 static void make_without_target(void)
 {
     expose(NO_TARGET);
@@ -280,6 +284,12 @@ void test_calib_target_out_of_range_is_told(void)
     expose(NEAR_POSE);
     TEST_ASSERT_EQUAL(STAD_E_NO_MARK, give());
     TEST_ASSERT_EQUAL(STAD_FAULT_RANGE, stad_calib_report_of(&calib)->fault);
+}
+
+void test_calib_wrong_focal_length_is_told(void)
+{
+    config.camera.f_q8 *= 2;
+    expect_fault(make_with_target, STAD_FAULT_CAMERA, STAD_CALIB_FAULT);
 }
 
 void test_calib_wrong_size_is_told(void)
@@ -390,9 +400,13 @@ void test_calib_correction_is_dropped_when_the_rig_is_sound_again(void)
 
 /* -- resets, soak ------------------------------------------------------------------------------------------------ */
 
+static int made_up_turns; /* 1: in which it does harm */
+
 /* Costs as of a scene in which block 7 and more helps, for any point. */
 static int32_t made_up(const stad_request *r)
 {
+    if (made_up_turns)
+        return (10 + 5 * r->params.block_size) * (STAD_COST_ONE / 100);
     int block = r->params.block_size < 7 ? 7 - r->params.block_size : 0;
     return (int32_t)((10 + 5 * block + (r->params.p1 < 200 ? 6 : 0)) * (STAD_COST_ONE / 100));
 }
@@ -474,6 +488,118 @@ void test_calib_reset_at_any_turn_leaves_old_or_adopted(void)
         TEST_ASSERT_TRUE(memcmp(s, &setup, sizeof setup) == 0 || memcmp(s, &adopted, sizeof adopted) == 0);
         TEST_ASSERT_EQUAL(STAD_CALIB_IDLE, stad_calib_report_of(&calib)->phase);
     }
+}
+
+/* -- power cuts while the pump saves ----------------------------------------------------------------------------- */
+
+/* A pump about to save, its flash, and what may be found after a cut. */
+typedef struct saving {
+    stad_calib calib;
+    flash_sim sim;
+    stad_setup old;
+    long bytes; /* that the save touches */
+} saving;
+
+/* Turns until a save is wanted that is not the first `skip` of them. */
+static void turn_to_save(int skip)
+{
+    stad_request r;
+    for (int i = 0; i < 500; i++) {
+        if (stad_calib_want(&calib, &r) == STAD_WANT_SAVE && skip-- == 0)
+            return;
+        turn();
+    }
+    TEST_FAIL_MESSAGE("no save was asked for");
+}
+
+/* `saves` sets in the flash beside the factory's, then a run up to its save: of what is adopted, or of the way back. */
+static void bring_to_save(saving *s, int saves, int back)
+{
+    stad_flash flash = sim_flash(&sim);
+    stad_setup other = setup;
+    fresh_flash();
+    made_up_turns = 0;
+    for (int i = 0; i < saves; i++) {
+        other.params.p1 = (int16_t)(60 + i);
+        TEST_ASSERT_GREATER_OR_EQUAL(0, stad_store_save(&flash, &other));
+    }
+    config.probation_frames = back ? 3 : 0;
+    power_on();
+    stad_calib_start(&calib);
+    turn_to_save(0);
+    if (back) {
+        turn();
+        made_up_turns = 1; /* what was adopted turns out worse */
+        turn_to_save(0);
+    }
+    s->calib = calib;
+    s->sim = sim;
+    TEST_ASSERT_GREATER_OR_EQUAL(0, stad_store_load(&flash, &s->old));
+    sim.touched = 0;
+    turn();
+    s->bytes = sim.touched;
+    made_up_turns = 0;
+}
+
+static int is_same(const stad_setup *a, const stad_setup *b)
+{
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+/* The power goes at one byte of the save. With its state kept the pump asks for the save again and ends the run; without it starts
+ * over from the old set or the new one, and a fresh run ends well. Counts in found[] which of the two it was. */
+static void cut_save(const saving *s, long at, enum sim_tear tear, int kept, int found[2])
+{
+    stad_request r;
+    stad_setup stored;
+    stad_flash flash = sim_flash(&sim);
+    const stad_setup *new = &s->calib.active;
+    char where[96];
+    snprintf(where, sizeof where, "cut at byte %ld, tear %d, state %s", at, (int)tear,
+             kept ? "kept" : "lost");
+    calib = s->calib;
+    sim = s->sim;
+    sim_restart(&sim);
+    sim.tear = tear;
+    sim.cut_at = at;
+    sim.random += (uint32_t)at;
+    stad_store_save(&flash, stad_calib_setup(&calib)); /* the answer is never told: the board is off */
+    TEST_ASSERT_EQUAL_MESSAGE(1, sim.dead, where);
+    sim_restart(&sim);
+    TEST_ASSERT_GREATER_OR_EQUAL_MESSAGE(0, stad_store_load(&flash, &stored), where);
+    TEST_ASSERT_TRUE_MESSAGE(is_same(&stored, &s->old) || is_same(&stored, new), where);
+    found[is_same(&stored, new)]++;
+    if (!kept) {
+        memset(&calib, 0x5a, sizeof calib);
+        power_on();
+        TEST_ASSERT_TRUE_MESSAGE(is_same(stad_calib_setup(&calib), &stored), where);
+        TEST_ASSERT_EQUAL_MESSAGE(STAD_CALIB_IDLE, stad_calib_report_of(&calib)->phase, where);
+        if (at % 4 == 0) /* a whole run takes its time */
+            stad_calib_start(&calib);
+    } else {
+        TEST_ASSERT_EQUAL_MESSAGE(STAD_WANT_SAVE, stad_calib_want(&calib, &r), where);
+    }
+    run_to_the_end();
+    TEST_ASSERT_GREATER_OR_EQUAL_MESSAGE(0, stad_store_load(&flash, &stored), where);
+    TEST_ASSERT_TRUE_MESSAGE(is_same(&stored, stad_calib_setup(&calib)), where);
+    TEST_ASSERT_EQUAL_MESSAGE(0, sim.violations, where);
+}
+
+void test_calib_power_cut_in_any_byte_of_a_save_leaves_old_or_new(void)
+{
+    static saving s;
+    int cuts = 0, found[2] = {0, 0};
+    for (int back = 0; back < 2; back++)
+        for (int saves = 0; saves < 3; saves++) {
+            bring_to_save(&s, saves, back);
+            for (int tear = 0; tear < TEAR_KINDS; tear++)
+                for (long at = 0; at < (tear ? SIM_SECTOR : s.bytes);
+                     at++, cuts += 2) /* only an erase tears */
+                    for (int kept = 0; kept < 2; kept++)
+                        cut_save(&s, at, (enum sim_tear)tear, kept, found);
+        }
+    printf("calib: %d cuts in its saves, the old set %d times, the new one %d\n", cuts, found[0], found[1]);
+    TEST_ASSERT_GREATER_THAN(1000, found[0]);
 }
 
 /* Whatever frame chance sends. */
@@ -562,6 +688,7 @@ int main(void)
     RUN_TEST(test_calib_torn_frame_is_refused);
     RUN_TEST(test_calib_no_target_is_told);
     RUN_TEST(test_calib_target_out_of_range_is_told);
+    RUN_TEST(test_calib_wrong_focal_length_is_told);
     RUN_TEST(test_calib_wrong_size_is_told);
     RUN_TEST(test_calib_same_pose_does_not_judge);
     RUN_TEST(test_calib_two_poses_of_a_sound_rig_begin_the_trial);
@@ -570,6 +697,7 @@ int main(void)
     RUN_TEST(test_calib_correction_that_fresh_frames_deny_is_refused);
     RUN_TEST(test_calib_correction_is_dropped_when_the_rig_is_sound_again);
     RUN_TEST(test_calib_reset_at_any_turn_leaves_old_or_adopted);
+    RUN_TEST(test_calib_power_cut_in_any_byte_of_a_save_leaves_old_or_new);
     RUN_TEST(test_calib_soak_never_hangs_and_never_adopts_worse);
     return UNITY_END();
 }
