@@ -160,7 +160,7 @@ expect 3 'deep.pgm: 16 bits' match deep.pgm deep.pgm -o out.npy
 expect 3 'typo.json: not a picture' match typo.json s/right.png -o out.npy
 expect 3 'none.png: No such file' match none.png s/right.png -o out.npy
 expect 3 's: Is a directory' match s s/right.png -o out.npy
-expect 2 's/left.png is 96 x 48, other/right.png is 80 x 48' match s/left.png other/right.png -o out.npy
+expect 3 's/left.png is 96 x 48, other/right.png is 80 x 48' match s/left.png other/right.png -o out.npy
 
 ### outputs ###
 expect 2 'out.bmp: a disparity map is written as' match s/left.png s/right.png -o out.bmp
@@ -281,6 +281,77 @@ echo '[{"left": "s/left.png", "right": "s/right.png", "truth": "s/disp.pfm"}], [
 expect 3 'more.json: no JSON' tune --scenes more.json
 expect 3 'empty.json: not a JSON array' tune --scenes empty.json
 expect 2 'scenes alone' tune s/left.png s/right.png --scenes gone.json
+
+### the target as truth ###
+accept scene -o q --target --frames 4 --width 320 --height 240
+f=(tune q/003_left.png q/003_right.png --fiducials --max-evals 2)
+accept "${f[@]}" --focal 192 --num-disparities 64
+expect 2 'target is out of range: its marks have disparities [0-9.]+ .. [0-9.]+ px, .* searches 0 .. 15$' "${f[@]}" --focal 192 --num-disparities 16
+expect 2 'out of range: .* searches 60 .. 123$' "${f[@]}" --focal 192 --num-disparities 64 --min-disparity 60
+expect 2 'out of range: .* searches -100 .. -37$' "${f[@]}" --focal 192 --num-disparities 64 --min-disparity -100
+expect 2 'out of range: .* searches -300 .. -237$' "${f[@]}" --focal 192 --num-disparities 64 --min-disparity -300
+expect 2 'out of range: .* searches 0 .. 63$' tune q/003_right.png q/003_left.png --fiducials --focal 192 --num-disparities 64
+expect 2 'too little of the target is in the columns .* from 288 on' "${f[@]}" --focal 192 --num-disparities 288
+for focal in 60 100 400 1000; do
+    expect 2 "with --focal $focal and the principal point .* no rectangular sheet" "${f[@]}" --focal $focal --num-disparities 64
+done
+expect 2 'the principal point 0,0 the marks make no rectangular sheet' "${f[@]}" --focal 192 --center 0,0 --num-disparities 64
+
+### options that do nothing ###
+expect 2 '--calibrate-at has no effect without --focal' simulate q --num-disparities 64 --calibrate-at 1
+expect 2 '--baseline has no effect without --focal' simulate q --num-disparities 64 --baseline 0.1
+expect 2 '--baseline has no effect without --report' simulate q --num-disparities 64 --focal 192 --baseline 0.1
+expect 2 '--center has no effect without --focal' simulate q --num-disparities 64 --center 1,1
+expect 2 '--budget has no effect without --focal' simulate q --num-disparities 64 --budget 9
+expect 2 '--calibrate-at 4: the frames are 0..3' simulate q --num-disparities 64 --focal 192 --calibrate-at 4
+expect 2 '--calibrate-at 3: the frames are 0..1' simulate q --num-disparities 64 --focal 192 --calibrate-at 3 --frames 2
+expect 2 '--from 999: the frames are 0..3' simulate q --num-disparities 64 --noise 5 --from 999
+expect 2 '--from has no effect without --noise' simulate q --num-disparities 64 --from 2
+expect 2 '--side-by-side: q/000_left.png and q/000_right.png are a view each' simulate q --num-disparities 64 --side-by-side
+expect 2 '--frames has no effect without --target' scene -o new --frames 2
+expect 2 '--drift has no effect without --target' scene -o new --drift 1
+expect 2 '--pgm has no effect without --target' scene -o new --pgm
+expect 2 '--from has no effect without --target' scene -o new --from 1
+expect 2 '--from has no effect without --drift' scene -o new --target --from 1
+expect 2 '--from 9: the recording has frames 0..0' scene -o new --target --frames 1 --drift 1 --from 9
+expect 2 '--plates has no effect with --target' scene -o new --target --plates 3
+expect 2 '--min-disparity does not go with --target' scene -o new --target --min-disparity 1
+expect 2 '--gain does not go with --target' scene -o new --target --gain 100
+expect 2 '--center has no effect without --fiducials' "${t[@]}" --center 1,1
+expect 2 '--focal has no effect without --fiducials' "${t[@]}" --focal 100
+expect 2 '--baseline has no effect without --report' "${t[@]}" --focal 100 --baseline 1
+expect 2 '--truth has no effect with --scenes' tune --scenes gone.json --truth s/disp.pfm
+expect 2 '--truth-scale has no effect with' "${f[@]}" --focal 192 --truth-scale 2
+
+### a folder that holds another scene ###
+expect 3 'q: holds 00[0-9]_[a-z]+.(png|pfm) of another scene' scene -o q --target --frames 2 --width 160 --height 120
+expect 3 'q: holds 00[0-9]_[a-z]+.(png|pfm) of another scene' scene -o q --width 96 --height 48
+expect 3 'q: holds 00[0-9]_(left|right).png of another scene' scene -o q --target --frames 4 --width 160 --height 120 --pgm
+expect 3 's: holds [a-z]+.(png|pfm) of another scene' scene -o s --target --frames 2 --width 160 --height 120
+accept scene -o q --target --frames 5 --width 160 --height 120
+expect 3 'disp.npy: cannot be' scene -o disp.npy --target
+
+### the sheet ###
+expect 2 'sheet.txt: the suffix must be' sheet -o sheet.txt
+expect 2 '--paper a44' sheet -o sheet.pdf --paper a44
+expect 3 'nowhere/sheet.pdf: cannot be written' sheet -o nowhere/sheet.pdf
+expect 3 'nowhere/sheet-1.svg: cannot be written' sheet -o nowhere/sheet.svg
+accept sheet -o sheet.PDF --paper A4
+accept sheet -o sheet.Svg --paper Letter
+[ -s sheet-1.svg ] && cp sheet.PDF kept.pdf || fail_check "a suffix in capitals"
+(ulimit -f 4; exec "$stad" sheet -o sheet.PDF --paper letter) 2>stderr.tmp
+[ $? = 3 ] && grep -q 'sheet.PDF: cannot be written: File too large' stderr.tmp && cmp -s sheet.PDF kept.pdf ||
+    fail_check "a full disk and the sheet: $(cat stderr.tmp)"
+(ulimit -f 4; exec "$stad" sheet -o sheet.svg) 2>stderr.tmp
+[ $? = 3 ] && grep -q 'sheet-1.svg: cannot be written: File too large' stderr.tmp || fail_check "a full disk and SVG: $(cat stderr.tmp)"
+rm stderr.tmp
+
+### the story asks for its folder first ###
+if [ -x "$STAD_BUILD/stad-story" ]; then
+    "$STAD_BUILD/stad-story" -o nowhere/x >stdout.tmp 2>stderr.tmp
+    [ $? = 3 ] && [ ! -s stdout.tmp ] && grep -q 'nowhere/x/summary.json: cannot be written' stderr.tmp || fail_check "the story: $(cat stderr.tmp)"
+    rm stdout.tmp stderr.tmp
+fi
 
 leftovers=$(find . -name '*.npy.*' -o -name '*.json.*' -o -name '*.png.*')
 [ -z "$leftovers" ] || { failures=$((failures + 1)); echo "FAILED: left behind: $leftovers"; }

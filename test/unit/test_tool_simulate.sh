@@ -96,7 +96,7 @@ head -c 3000 kitti/image_1/002.png >bad/image_1/002.png
 refuse 3 'image_1/002.png: bad PNG' bad "${range[@]}" --csv bad.csv --json bad.json
 [ "$(head -n 3 bad.csv)" = "$(head -n 3 rec.csv)" ] && [ "$(wc -l <bad.csv)" = 3 ] || fail "what was done before the bad frame is lost"
 "$stad" simulate bad "${range[@]}" --keep-going --csv bad.csv >out.txt 2>err.txt || fail "--keep-going stops"
-grep -q 'skipped: .*image_1/002.png' err.txt && grep -q '1 skipped' out.txt || fail "a skipped frame is not told"
+grep -q 'skipped: .*image_1/002.png' err.txt && grep -q '^3 frames of 320 x 240, 1 skipped' out.txt || fail "a skipped frame is not told, or counted"
 [ "$(wc -l <bad.csv)" = 5 ] && grep -q '^2,skipped,' bad.csv || fail "the log of a recording with a bad frame"
 run scene -o small --width 96 --height 48 --num-disparities 16 --plates 2
 rm -r bad && cp -r kitti bad && cp small/left.png bad/image_0/003.png && cp small/right.png bad/image_1/003.png

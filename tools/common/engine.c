@@ -126,7 +126,7 @@ int engine_read_pair(picture *left, picture *right, const char *left_path, const
     if (status == TOOL_OK)
         status = picture_read(right, right_path, want, f);
     if (status == TOOL_OK && (left->width != right->width || left->height != right->height))
-        status = tool_fail_set(f, TOOL_USAGE, "the images differ in size: %s is %d x %d, %s is %d x %d",
+        status = tool_fail_set(f, TOOL_FILE, "the images differ in size: %s is %d x %d, %s is %d x %d",
                                left_path, left->width, left->height, right_path, right->width, right->height);
     if (status) {
         picture_free(left);

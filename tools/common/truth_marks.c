@@ -68,6 +68,60 @@ static int fill(truth_map *t, const stad_truth *truth, const char *names, tool_f
     return TOOL_OK;
 }
 
+/* Least and most disparity of the marks' corners, px. */
+static void disparities_of(const seen *s, double *low, double *high)
+{
+    *low = 1e9;
+    *high = -1e9;
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < 4; k++) {
+            double d = (s->pairs[i].left[k].x_q8 - s->pairs[i].right[k].x_q8) / 256.0;
+            *low = d < *low ? d : *low;
+            *high = d > *high ? d : *high;
+        }
+}
+
+static int check_range(const seen *s, const stad_params *p, const char *names, tool_fail *f)
+{
+    double low, high;
+    int last = p->min_disparity + p->num_disparities - 1;
+    disparities_of(s, &low, &high);
+    if (low >= p->min_disparity && high <= last)
+        return TOOL_OK;
+    return tool_fail_set(f, TOOL_USAGE,
+                         "%s: the target is out of range: its marks have disparities %.1f .. %.1f px, and "
+                         "--min-disparity %d with --num-disparities %d searches %d .. %d",
+                         names, low, high, p->min_disparity, p->num_disparities, p->min_disparity, last);
+}
+
+static int make_planes(stad_truth *truth, const truth_map *t, const seen *s, int min_disparity,
+                       int num_disparities, const stad_camera *camera)
+{
+    int code = stad_truth_init(truth, t->width, t->height, min_disparity, num_disparities, 1);
+    return code == STAD_OK ? stad_truth_from_target(truth, stad_target_relief(), s->pairs, s->count, camera)
+                           : code;
+}
+
+/* Why the marks gave no truth. */
+static int explain(int code, const truth_map *t, const seen *s, const stad_params *p,
+                   const stad_camera *camera, const char *names, tool_fail *f)
+{
+    stad_truth anywhere;
+    if (code == STAD_E_RIG)
+        return tool_fail_set(f, TOOL_USAGE,
+                             "%s: with --focal %g and the principal point %g,%g the marks make no "
+                             "rectangular sheet: one of them is wrong",
+                             names, camera->f_q8 / 256.0, camera->cx_q8 / 256.0, camera->cy_q8 / 256.0);
+    if (make_planes(&anywhere, t, s, 0, 1, camera) > 0)
+        return tool_fail_set(f, TOOL_USAGE,
+                             "%s: too little of the target is in the columns where the whole range is "
+                             "searched, from %d on (--min-disparity, --num-disparities)",
+                             names, p->min_disparity + p->num_disparities);
+    return tool_fail_set(f, TOOL_FILE,
+                         "%s: the marks found are not those of a flat target with its relief (%s)", names,
+                         stad_status_name(code));
+}
+
 int truth_from_marks(truth_map *t, const picture *left, const picture *right, const stad_params *p,
                      const stad_camera *camera, const char *names, tool_fail *f)
 {
@@ -79,14 +133,10 @@ int truth_from_marks(truth_map *t, const picture *left, const picture *right, co
     int status = find_pairs(&s, left, right, names, f);
     if (status == TOOL_OK)
         status = check_rig(&s, left, names, f);
+    if (status == TOOL_OK)
+        status = check_range(&s, p, names, f);
     if (status)
         return status;
-    int code = stad_truth_init(&truth, t->width, t->height, p->min_disparity, p->num_disparities, 1);
-    if (code == STAD_OK)
-        code = stad_truth_from_target(&truth, stad_target_relief(), s.pairs, s.count, camera);
-    if (code < 0)
-        return tool_fail_set(f, TOOL_FILE,
-                             "%s: the marks found are not those of a flat target with its relief (%s)", names,
-                             stad_status_name(code));
-    return fill(t, &truth, names, f);
+    int code = make_planes(&truth, t, &s, p->min_disparity, p->num_disparities, camera);
+    return code < 0 ? explain(code, t, &s, p, camera, names, f) : fill(t, &truth, names, f);
 }

@@ -42,7 +42,7 @@ typedef struct sheet_paper {
     double width_mm, height_mm; /* lying */
 } sheet_paper;
 
-const sheet_paper *sheet_paper_named(const char *name); /* a4, letter; NULL otherwise */
+const sheet_paper *sheet_paper_named(const char *name); /* a4, letter, in any case; NULL otherwise */
 
 /* Draws all pages of a target. Returns how many, or 0 when the pen failed or a part does not fit the paper. */
 int sheet_draw(const stad_target *target, const sheet_paper *paper, const sheet_pen *pen);
@@ -77,6 +77,7 @@ double sheet_edge_mm(const stad_target_facet *f, int edge);
 int sheet_write(const stad_target *target, const sheet_paper *paper, const char *path, tool_fail *f);
 
 sheet_pen sheet_pdf_pen(FILE *out, void **state);
-sheet_pen sheet_svg_pen(const char *path, void **state);
+sheet_pen sheet_svg_pen(const char *path, void **state,
+                        tool_fail *f); /* what goes wrong is told in *f, which stays the caller's */
 
 #endif

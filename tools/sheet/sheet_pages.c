@@ -2,6 +2,7 @@
  * nets, print -> [sheet/sheet_pages.c] -> pen - what is on which page. */
 #include "sheet.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,10 +15,20 @@
 
 static const sheet_paper papers[] = {{"a4", 297.0, 210.0}, {"letter", 279.4, 215.9}};
 
+/* The same, in any case? */
+static int is_named(const char *name, const char *text)
+{
+    while (*name && tolower((unsigned char)*text) == *name) {
+        name++;
+        text++;
+    }
+    return *name == *text;
+}
+
 const sheet_paper *sheet_paper_named(const char *name)
 {
     for (size_t i = 0; i < sizeof papers / sizeof papers[0]; i++)
-        if (strcmp(papers[i].name, name) == 0)
+        if (is_named(papers[i].name, name))
             return &papers[i];
     return NULL;
 }

@@ -5,13 +5,17 @@
  * bytes. */
 #include "sheet.h"
 
+#include "../common/whole_file.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct svg {
     char *stem; /* path without its suffix */
-    FILE *out;
+    FILE *out;  /* of `file`, NULL between pages */
+    tool_out file;
+    tool_fail *fail;
     int lost;
 } svg;
 
@@ -119,8 +123,7 @@ static void close_page(svg *s)
     if (!s->out)
         return;
     fputs("</svg>\n", s->out);
-    s->lost |= ferror(s->out);
-    s->lost |= fclose(s->out) != 0;
+    s->lost |= tool_out_close(&s->file, 1, s->fail) != TOOL_OK;
     s->out = NULL;
 }
 
@@ -131,13 +134,16 @@ static int svg_begin(void *to, double width_mm, double height_mm, int page, int 
     char *path = malloc(room);
     (void)pages;
     close_page(s);
-    if (!path)
+    if (!path || s->lost) {
+        free(path);
         return 0;
+    }
     snprintf(path, room, "%s-%d.svg", s->stem, page);
-    s->out = fopen(path, "wb");
+    s->lost |= tool_out_open(&s->file, path, s->fail) != TOOL_OK;
     free(path);
-    if (!s->out)
+    if (s->lost)
         return 0;
+    s->out = s->file.stream;
     fprintf(s->out,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
             "width=\"%.3fmm\" height=\"%.3fmm\" viewBox=\"0 0 %.3f %.3f\">\n",
@@ -199,7 +205,7 @@ static int svg_end(void *to)
     return ok;
 }
 
-sheet_pen sheet_svg_pen(const char *path, void **state)
+sheet_pen sheet_svg_pen(const char *path, void **state, tool_fail *f)
 {
     svg *s = calloc(1, sizeof *s);
     sheet_pen pen = {s, svg_begin, svg_line, svg_fill, svg_raster, svg_text, svg_end};
@@ -213,6 +219,7 @@ sheet_pen sheet_svg_pen(const char *path, void **state)
         return pen;
     }
     memcpy(s->stem, path, n);
+    s->fail = f;
     *state = s;
     return pen;
 }

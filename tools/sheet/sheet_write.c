@@ -2,37 +2,36 @@
  * [sheet/sheet_write.c] - a target to a file, PDF or SVG by its suffix. */
 #include "sheet.h"
 
-#include <string.h>
-
-static int ends_with(const char *path, const char *suffix)
-{
-    size_t n = strlen(path), k = strlen(suffix);
-    return n > k && strcmp(path + n - k, suffix) == 0;
-}
-
-static int failed(const char *path, tool_fail *f)
-{
-    return tool_fail_set(f, TOOL_FILE, "%s cannot be written", path);
-}
+#include "../common/whole_file.h"
 
 static int write_pdf(const stad_target *target, const sheet_paper *paper, const char *path, tool_fail *f)
 {
     void *state;
-    FILE *out = fopen(path, "wb");
-    if (!out)
-        return failed(path, f);
-    sheet_pen pen = sheet_pdf_pen(out, &state);
+    tool_out out;
+    int status = tool_out_open(&out, path, f);
+    if (status)
+        return status;
+    sheet_pen pen = sheet_pdf_pen(out.stream, &state);
     int pages = state ? sheet_draw(target, paper, &pen) : 0;
-    return fclose(out) == 0 && pages > 0 ? TOOL_OK : failed(path, f);
+    int lost = ferror(out.stream); /* which closing tells better */
+    if (pages == 0 && !lost)
+        tool_fail_set(f, TOOL_FILE, "%s: the pages cannot be drawn", path);
+    return tool_out_close(&out, pages > 0 || lost, f);
+}
+
+static int write_svg(const stad_target *target, const sheet_paper *paper, const char *path, tool_fail *f)
+{
+    void *state;
+    sheet_pen pen = sheet_svg_pen(path, &state, f);
+    if (state && sheet_draw(target, paper, &pen) > 0)
+        return TOOL_OK;
+    return f->status ? f->status : tool_fail_set(f, TOOL_FILE, "%s: the pages cannot be drawn", path);
 }
 
 int sheet_write(const stad_target *target, const sheet_paper *paper, const char *path, tool_fail *f)
 {
-    void *state;
-    if (ends_with(path, ".pdf"))
-        return write_pdf(target, paper, path, f);
-    if (!ends_with(path, ".svg"))
+    int pdf = tool_has_suffix(path, ".pdf");
+    if (!pdf && !tool_has_suffix(path, ".svg"))
         return tool_fail_set(f, TOOL_USAGE, "%s: the suffix must be .pdf or .svg", path);
-    sheet_pen pen = sheet_svg_pen(path, &state);
-    return state && sheet_draw(target, paper, &pen) > 0 ? TOOL_OK : failed(path, f);
+    return pdf ? write_pdf(target, paper, path, f) : write_svg(target, paper, path, f);
 }

@@ -10,6 +10,7 @@
 
 #include "../common/grid.h"
 #include "../scene/scene_draw.h"
+#include "scene_folder.h"
 #include "scene_frames.h"
 #include "tool.h"
 
@@ -22,13 +23,14 @@ static const char help[] =
     "  -o, --output FOLDER          made when it is missing\n"
     "  --width W, --height H        px (640, 480)\n"
     "  --min-disparity N            (0)\n"
-    "  --num-disparities N          the range that the disparities fill (64)\n"
+    "  --num-disparities N          the range that the disparities fill; --target: twice the target's (64)\n"
     "  --plates N                   1..63 (12)\n"
     "  --seed S                     another scene (1)\n"
     "  --noise N                    largest deviation of a pixel by camera noise, grey levels (6)\n"
     "  --gain PERCENT               the right camera's, against the left (100)\n\n"
     "  --target                     a recording instead: a room in which the calibration target is held up, "
     "NNN_left.png, ...\n"
+    "                               FOLDER may hold no frames but those that are written anew\n"
     "  --frames N                   of it (16); --pgm: views as .pgm\n"
     "  --drift PX                   by which the right camera has sunk (0), --from K: from frame K on (0)\n\n"
     "Example: stad scene -o scene && stad match scene/left.png scene/right.png -o disp.pfm --num-disparities "
@@ -39,6 +41,7 @@ typedef struct scene_job {
     long width, height, min_disparity, num_disparities, plates, seed, noise, gain, frames, from;
     double drift;
     int target, pgm;
+    unsigned long long given;
 } scene_job;
 
 static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
@@ -57,6 +60,16 @@ static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"from", required_argument, NULL, 'k'},
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
+
+static const tool_vain vain[] = {
+    {TOOL_BIT('f'), TOOL_BIT('t'), 0, "--frames has no effect without --target"},
+    {TOOL_BIT('d'), TOOL_BIT('t'), 0, "--drift has no effect without --target"},
+    {TOOL_BIT('P'), TOOL_BIT('t'), 0, "--pgm has no effect without --target"},
+    {TOOL_BIT('k'), TOOL_BIT('t'), 0, "--from has no effect without --target"},
+    {TOOL_BIT('k'), TOOL_BIT('d'), 0, "--from has no effect without --drift"},
+    {TOOL_BIT('p'), 0, TOOL_BIT('t'), "--plates has no effect with --target"},
+    {TOOL_BIT('m'), 0, TOOL_BIT('t'), "--min-disparity does not go with --target"},
+    {TOOL_BIT('g'), 0, TOOL_BIT('t'), "--gain does not go with --target"}};
 
 static int take(scene_job *j, int code, tool_fail *f)
 {
@@ -103,11 +116,17 @@ static int read_options(scene_job *j, int argc, char **argv, tool_fail *f)
             return tool_help(help);
         if (code == '?')
             return tool_usage(argv[0]);
+        j->given |= TOOL_BIT(code);
         if (take(j, code, f))
             return tool_report(argv[0], f);
     }
-    if (tool_words(argc, optind, 0, "only options are", f))
+    if (tool_words(argc, optind, 0, "only options are", f) ||
+        tool_refuse_vain(vain, sizeof vain / sizeof vain[0], j->given, f))
         return tool_report(argv[0], f);
+    if (j->from >= j->frames) {
+        tool_fail_set(f, TOOL_USAGE, "--from %ld: the recording has frames 0..%ld", j->from, j->frames - 1);
+        return tool_report(argv[0], f);
+    }
     if (!j->folder) {
         tool_fail_set(f, TOOL_USAGE, "-o FOLDER is wanted: where the scene goes");
         return tool_report(argv[0], f);
@@ -144,8 +163,6 @@ static int record_target(const scene_job *j, tool_fail *f)
                             (int)j->frames,   (unsigned)j->seed,
                             (double)j->noise, j->drift,
                             (int)j->from,     j->pgm};
-    if (j->min_disparity != 0 || j->gain != 100)
-        return tool_fail_set(f, TOOL_USAGE, "--min-disparity and --gain do not go with --target");
     return scene_frames_write(&s, f);
 }
 
@@ -181,12 +198,14 @@ static int work(const scene_job *j, tool_fail *f)
         return tool_fail_set(f, TOOL_USAGE, "the folder's name is too long");
     if (mkdir(j->folder, 0777) && errno != EEXIST)
         return tool_fail_set(f, TOOL_FILE, "%s: cannot be made: %s", j->folder, strerror(errno));
+    if (scene_folder_check(j->folder, j->target ? (int)j->frames : 0, j->pgm, f))
+        return f->status;
     return j->target ? record_target(j, f) : draw_plates(j, f);
 }
 
 int cmd_scene(int argc, char **argv)
 {
-    scene_job j = {NULL, 640, 480, 0, 64, 12, 1, 6, 100, 16, 0, 0, 0, 0};
+    scene_job j = {NULL, 640, 480, 0, 64, 12, 1, 6, 100, 16, 0, 0, 0, 0, 0};
     tool_fail f = {0};
     int status = read_options(&j, argc, argv, &f);
     if (status >= 0)

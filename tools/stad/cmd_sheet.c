@@ -59,8 +59,6 @@ int cmd_sheet(int argc, char **argv)
             return tool_help(help);
         if (code == '?')
             return tool_usage(argv[0]);
-        if (code == '?')
-            return tool_usage(argv[0]);
         *(code == 'o' ? &job.path : code == 'p' ? &job.paper : &job.target) = optarg;
     }
     if (tool_words(argc, optind, 0, "no further words", &f) != TOOL_OK || run(&job, &f) != TOOL_OK)

@@ -89,6 +89,24 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
 
+#define CALIBRATES TOOL_BIT(OPT_FOCAL)
+#define ANY_SPOIL                                                                                            \
+    (TOOL_BIT(OPT_NOISE) | TOOL_BIT(OPT_GAIN) | TOOL_BIT(OPT_BLUR) | TOOL_BIT(OPT_VIGNETTE) |                \
+     TOOL_BIT(OPT_DIM))
+
+static const tool_vain vain[] = {
+    {TOOL_BIT(OPT_CENTER), CALIBRATES, 0, "--center has no effect without --focal: no mark is looked for"},
+    {TOOL_BIT(OPT_AT), CALIBRATES, 0, "--calibrate-at has no effect without --focal: no mark is looked for"},
+    {TOOL_BIT(OPT_EVALUATIONS), CALIBRATES, 0, "--evaluations has no effect without --focal"},
+    {TOOL_BIT(OPT_PROBATION), CALIBRATES, 0, "--probation-frames has no effect without --focal"},
+    {TOOL_BIT(OPT_BUDGET), CALIBRATES, 0, "--budget has no effect without --focal"},
+    {TOOL_BIT(OPT_COST), CALIBRATES, 0, "--cost has no effect without --focal"},
+    {TOOL_BIT(OPT_BASELINE), CALIBRATES, 0, "--baseline has no effect without --focal"},
+    {TOOL_BIT(OPT_BASELINE), TOOL_BIT(OPT_REPORT), 0, "--baseline has no effect without --report"},
+    {TOOL_BIT(OPT_FROM), ANY_SPOIL, 0,
+     "--from has no effect without --noise, --gain, --blur, --vignette or --dim"},
+    {TOOL_BIT(OPT_SIDE), 0, TOOL_BIT(OPT_SIZE), "--side-by-side has no effect with --size"}};
+
 static int take_size(simulation *s, const char *text, tool_fail *f)
 {
     char end;
@@ -184,11 +202,15 @@ static int read_options(simulation *s, int argc, char **argv, tool_fail *f)
             return tool_help(help);
         if (code == '?')
             return tool_usage(argv[0]);
-        if (status == TOOL_OK && !mine)
+        if (status == TOOL_OK && !mine) {
+            s->given |= TOOL_BIT(code);
             status = take(s, code, f);
+        }
         if (status)
             return tool_report(argv[0], f);
     }
+    if (tool_refuse_vain(vain, sizeof vain / sizeof vain[0], s->given, f))
+        return tool_report(argv[0], f);
     if (tool_words(argc, optind, 1, "FOLDER is", f))
         return tool_report(argv[0], f);
     s->where = argv[optind];

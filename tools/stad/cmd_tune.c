@@ -79,6 +79,18 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
 
+static const tool_vain vain[] = {
+    {TOOL_BIT(OPT_TRUTH), 0, TOOL_BIT(OPT_SCENES), "--truth has no effect with --scenes: the list names it"},
+    {TOOL_BIT(OPT_MASK), 0, TOOL_BIT(OPT_SCENES), "--mask has no effect with --scenes: the list names it"},
+    {TOOL_BIT(OPT_SCALE), 0, TOOL_BIT(OPT_SCENES) | TOOL_BIT(OPT_FIDUCIALS),
+     "--truth-scale has no effect with --scenes or --fiducials"},
+    {TOOL_BIT(OPT_FIDUCIALS), 0, TOOL_BIT(OPT_SCENES), "--fiducials has no effect with --scenes"},
+    {TOOL_BIT(OPT_CENTER), TOOL_BIT(OPT_FIDUCIALS), 0, "--center has no effect without --fiducials"},
+    {TOOL_BIT(OPT_FOCAL), TOOL_BIT(OPT_FIDUCIALS) | TOOL_BIT(OPT_BASELINE), 0,
+     "--focal has no effect without --fiducials, or --baseline and --report"},
+    {TOOL_BIT(OPT_BASELINE), TOOL_BIT(OPT_FOCAL), 0, "--baseline has no effect without --focal"},
+    {TOOL_BIT(OPT_BASELINE), TOOL_BIT(OPT_REPORT), 0, "--baseline has no effect without --report"}};
+
 /* Calls `take` for every part of "a,b,c", which is cut up. */
 static int each_part(char *list, int (*take)(tune_job *, char *, tool_fail *), tune_job *j, tool_fail *f)
 {
@@ -198,6 +210,7 @@ static int take_words(tune_job *j, int argc, char **argv, tool_fail *f)
 static int read_options(tune_job *j, int argc, char **argv, tool_fail *f)
 {
     int code, mine;
+    unsigned long long given = 0;
     match_options_init(&j->options);
     params_some_init(&j->start);
     while ((code = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
@@ -206,11 +219,15 @@ static int read_options(tune_job *j, int argc, char **argv, tool_fail *f)
             return tool_help(help);
         if (code == '?')
             return tool_usage(argv[0]);
-        if (status == TOOL_OK && !mine)
+        if (status == TOOL_OK && !mine) {
+            given |= TOOL_BIT(code);
             status = take(j, code, f);
+        }
         if (status)
             return tool_report(argv[0], f);
     }
+    if (tool_refuse_vain(vain, sizeof vain / sizeof vain[0], given, f))
+        return tool_report(argv[0], f);
     return take_words(j, argc, argv, f) ? tool_report(argv[0], f) : -1;
 }
 

@@ -64,6 +64,18 @@ static char *partner(const char *folder, const char *name)
     return NULL;
 }
 
+/* Two views in two files, by names that say so; "_0." and "_1." may also be numbers of frames. */
+static int check_halves(const char *folder, const char *name, tool_fail *f)
+{
+    char *right = strstr(name, "_0.") ? NULL : partner(folder, name);
+    if (!right)
+        return TOOL_OK;
+    tool_fail_set(f, TOOL_USAGE, "--side-by-side: %s/%s and %s are a view each: leave the option out", folder,
+                  name, right);
+    free(right);
+    return TOOL_USAGE;
+}
+
 typedef struct listing {
     struct dirent **entry;
     int count;
@@ -102,6 +114,10 @@ static int scan_one(recording *r, const char *folder, int side_by_side, tool_fai
         return status;
     status = reserve(r, l.count, folder, f);
     for (int i = 0; i < l.count && status == TOOL_OK; i++) {
+        if (side_by_side && check_halves(folder, l.entry[i]->d_name, f)) {
+            status = f->status;
+            break;
+        }
         char *right = side_by_side ? NULL : partner(folder, l.entry[i]->d_name);
         if (!right && !side_by_side)
             continue;

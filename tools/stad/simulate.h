@@ -47,6 +47,7 @@ typedef struct simulation {
     int side_by_side, raw_width, raw_height, keep_going, color;
     long calibrate_at, evaluations_per_frame, learn_frames, probation_frames, budget, limit;
     int cost;
+    unsigned long long given; /* options, as TOOL_BIT */
     /* the board */
     recording frames;
     engine live;

@@ -32,7 +32,7 @@ const char *simulate_outcome_name(int outcome)
 const char *simulate_fault_name(int fault)
 {
     static const char *const names[] = {"none",    "late",  "black", "saturated", "flat", "frozen",
-                                        "swapped", "marks", "range", "rig",       "size"};
+                                        "swapped", "marks", "range", "rig",       "size", "camera"};
     return NAME_OF(names, fault);
 }
 
@@ -63,10 +63,11 @@ static void print_run(const sim_run *r)
 void simulate_print(const simulation *s)
 {
     const stad_calib_report *now = stad_calib_report_of(&s->calib);
-    printf("%d frames of %d x %d", s->row_count, s->live.geometry.width, s->live.geometry.height);
+    printf("%d frames of %d x %d", s->row_count - s->skipped, s->live.geometry.width,
+           s->live.geometry.height);
     if (s->skipped)
         printf(", %d skipped", s->skipped);
-    printf(", %.1f a second\n", s->seconds > 0 ? s->row_count / s->seconds : 0.0);
+    printf(", %.1f a second\n", s->seconds > 0 ? (s->row_count - s->skipped) / s->seconds : 0.0);
     for (int i = 0; i < s->row_count; i++)
         if (s->rows[i].state == STAD_MONITOR_DEGRADED)
             printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", s->rows[i].frame,

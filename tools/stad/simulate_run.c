@@ -267,10 +267,24 @@ static int check_apart(const simulation *s, tool_fail *f)
     return status;
 }
 
+/* Frame numbers that the recording never reaches. */
+static int check_numbers(const simulation *s, tool_fail *f)
+{
+    long count = s->limit && s->limit < s->frames.count ? s->limit : s->frames.count;
+    if (s->calibrate_at >= count)
+        return tool_fail_set(f, TOOL_USAGE, "--calibrate-at %ld: the frames are 0..%ld", s->calibrate_at,
+                             count - 1);
+    if (s->bad.from >= count)
+        return tool_fail_set(f, TOOL_USAGE, "--from %d: the frames are 0..%ld", s->bad.from, count - 1);
+    return TOOL_OK;
+}
+
 int simulate_run(simulation *s, tool_fail *f)
 {
     double start = tool_seconds();
     int status = recording_open(&s->frames, s->where, s->side_by_side, s->raw_width, s->raw_height, f);
+    if (status == TOOL_OK)
+        status = check_numbers(s, f);
     if (status == TOOL_OK)
         status = check_apart(s, f);
     if (status == TOOL_OK)

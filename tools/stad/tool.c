@@ -63,6 +63,15 @@ int tool_whole(const char *option, const char *text, long lo, long hi, long *val
     return TOOL_OK;
 }
 
+int tool_refuse_vain(const tool_vain *list, int count, unsigned long long given, tool_fail *f)
+{
+    for (int i = 0; i < count; i++)
+        if ((given & list[i].option) &&
+            ((given & list[i].when) || (list[i].unless && !(given & list[i].unless))))
+            return tool_fail_set(f, TOOL_USAGE, "%s", list[i].says);
+    return TOOL_OK;
+}
+
 int tool_point(const char *option, const char *text, double *x, double *y, tool_fail *f)
 {
     char end;

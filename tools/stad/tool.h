@@ -34,6 +34,17 @@ int tool_words(int argc, int first, int count, const char *wanted, tool_fail *f)
 int tool_real(const char *option, const char *text, double lo, double hi, double *value, tool_fail *f);
 int tool_whole(const char *option, const char *text, long lo, long hi, long *value, tool_fail *f);
 
+/* An option that does nothing unless one of others is given, or when one is. Options are bits: TOOL_BIT(their code in getopt_long). */
+typedef struct tool_vain {
+    unsigned long long option, unless, when;
+    const char *says; /* "--from has no effect without --noise" */
+} tool_vain;
+
+#define TOOL_BIT(code) (1ull << ((code) & 63))
+
+/* Refuses the first option of the list that was given in vain. */
+int tool_refuse_vain(const tool_vain *list, int count, unsigned long long given, tool_fail *f);
+
 /* "X,Y", neither negative. */
 int tool_point(const char *option, const char *text, double *x, double *y, tool_fail *f);
 

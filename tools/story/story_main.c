@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 
 #include "../common/colour.h"
+#include "../common/whole_file.h"
 #include "story.h"
 
 typedef struct chapter {
@@ -99,14 +100,14 @@ static void work(telling *t, story_world *w)
     }
 }
 
-static int write_summary(const telling *t, const stad_calib_report *r, int restored)
+static int write_summary(telling *t, const stad_calib_report *r, int restored)
 {
     char path[600];
+    tool_out out;
     snprintf(path, sizeof path, "%s/summary.json", t->folder);
-    FILE *out = fopen(path, "w");
-    if (!out)
-        return TOOL_FILE;
-    fprintf(out,
+    if (tool_out_open(&out, path, &t->fail) != TOOL_OK)
+        return t->fail.status;
+    fprintf(out.stream,
             "{\"healthy\": {\"bad\": %.2f}, \"disturbed\": {\"bad\": %.2f}, \"corrected\": {\"bad\": %.2f}, "
             "\"after\": {\"bad\": %.2f},\n"
             " \"verdict_before\": \"%s\", \"verdict_after\": \"%s\", \"adopted\": %s, \"restored\": %s,\n "
@@ -115,7 +116,7 @@ static int write_summary(const telling *t, const stad_calib_report *r, int resto
             verdict_name(r->verdict_before), verdict_name(r->verdict_after),
             r->outcome == STAD_CALIB_ADOPTED ? "true" : "false", restored ? "true" : "false", r->evaluations,
             t->board.frames);
-    return fclose(out) == 0 ? TOOL_OK : TOOL_FILE;
+    return tool_out_close(&out, 1, &t->fail);
 }
 
 static int tell(telling *t)
@@ -149,8 +150,19 @@ static int tell(telling *t)
     printf("\nafter a reset the setup comes from slot %d: %s\n", slot,
            restored ? "the adopted one" : "NOT the adopted one");
     if (write_summary(t, &r, restored) != TOOL_OK)
-        return tool_fail_set(&t->fail, TOOL_FILE, "%s/summary.json cannot be written", t->folder);
+        return t->fail.status;
     return r.outcome == STAD_CALIB_ADOPTED && restored ? TOOL_OK : TOOL_REFUSED;
+}
+
+/* Can the folder be written? Asked before anything is worked out. */
+static int check_folder(telling *t)
+{
+    char path[600];
+    if (strlen(t->folder) > 500)
+        return tool_fail_set(&t->fail, TOOL_USAGE, "the folder's name is too long");
+    mkdir(t->folder, 0777); /* it may be there; the check tells */
+    snprintf(path, sizeof path, "%s/summary.json", t->folder);
+    return tool_out_check(path, &t->fail);
 }
 
 int main(int argc, char **argv)
@@ -161,8 +173,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: stad-story [-o FOLDER]\n");
         return TOOL_USAGE;
     }
-    mkdir(t.folder, 0777);
-    if (story_board_start(&t.board, &t.fail) != TOOL_OK ||
+    if (check_folder(&t) != TOOL_OK || story_board_start(&t.board, &t.fail) != TOOL_OK ||
         picture_alloc(&t.frame.left, STORY_WIDTH, STORY_HEIGHT, 1, &t.fail) != TOOL_OK ||
         picture_alloc(&t.frame.right, STORY_WIDTH, STORY_HEIGHT, 1, &t.fail) != TOOL_OK) {
         fprintf(stderr, "stad-story: %s\n", t.fail.text);
