@@ -131,5 +131,7 @@ if __name__ == '__main__':
     parser.add_argument('--range', choices=('all', 'board'), default='all')
     parser.add_argument('--budget', type=int, default=60)
     ARGS = parser.parse_args()
+    if not 2 <= ARGS.budget <= 200:
+        parser.error(f'--budget {ARGS.budget}: must be 2..200')
     LIB, stadimeter = figures.build(), load_package()
     main()

@@ -355,6 +355,8 @@ if __name__ == '__main__':
     parser.add_argument('--data', default=os.environ.get('STAD_DATA', ''))
     parser.add_argument('--frames', type=int, default=150)
     ARGS = parser.parse_args()
+    if ARGS.frames < 1:
+        parser.error(f'--frames {ARGS.frames}: at least 1')
     LIB = build()
     for wanted in ARGS.section or SECTIONS:
         SECTIONS[wanted]()

@@ -96,7 +96,7 @@ class Library:
 
 
 def grey(path):
-    picture = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
+    picture = cv2.imread(path, cv2.IMREAD_GRAYSCALE) if os.path.exists(path) else None
     if picture is None:
         sys.exit(f"{path} cannot be read; STAD_DATA names the folder of scenes")
     return picture.astype(np.float32)
