@@ -6,13 +6,18 @@
 """
 from ._native import tier
 from ._version import __version__
+from .marks import Mark, Pair, Rig, find_marks, fit_rig, pair_marks, target_truth
 from .score import Scorer, label, truth_q16
-from .sgbm import (MEMORY_PLANS, STEREO_SGBM_MODE_HH, STEREO_SGBM_MODE_HH4, STEREO_SGBM_MODE_SGBM, STEREO_SGBM_MODE_SGBM_3WAY,
+from .sgbm import (MEMORY_PLANS, STEREO_MATCHER_DISP_SCALE, STEREO_MATCHER_DISP_SHIFT, STEREO_SGBM_MODE_HH, STEREO_SGBM_MODE_HH4,
+                   STEREO_SGBM_MODE_SGBM, STEREO_SGBM_MODE_SGBM_3WAY, StereoMatcher_DISP_SCALE, StereoMatcher_DISP_SHIFT,
                    StereoSGBM, StereoSGBM_create, StereoSGBM_MODE_HH, StereoSGBM_MODE_HH4, StereoSGBM_MODE_SGBM,
                    StereoSGBM_MODE_SGBM_3WAY, compute_frames)
+from .simulate import Board, Run, Simulation, Step, simulate
 from .tune import FAILED, Tuner, as_opencv, tune
 
-__all__ = ["FAILED", "MEMORY_PLANS", "STEREO_SGBM_MODE_HH", "STEREO_SGBM_MODE_HH4", "STEREO_SGBM_MODE_SGBM",
-           "STEREO_SGBM_MODE_SGBM_3WAY", "Scorer", "StereoSGBM", "StereoSGBM_MODE_HH", "StereoSGBM_MODE_HH4",
-           "StereoSGBM_MODE_SGBM", "StereoSGBM_MODE_SGBM_3WAY", "StereoSGBM_create", "Tuner", "__version__", "as_opencv",
-           "compute_frames", "label", "tier", "truth_q16", "tune"]
+__all__ = ["Board", "FAILED", "MEMORY_PLANS", "Mark", "Pair", "Rig", "Run", "STEREO_MATCHER_DISP_SCALE",
+           "STEREO_MATCHER_DISP_SHIFT", "STEREO_SGBM_MODE_HH", "STEREO_SGBM_MODE_HH4", "STEREO_SGBM_MODE_SGBM",
+           "STEREO_SGBM_MODE_SGBM_3WAY", "Scorer", "Simulation", "Step", "StereoMatcher_DISP_SCALE", "StereoMatcher_DISP_SHIFT",
+           "StereoSGBM", "StereoSGBM_MODE_HH", "StereoSGBM_MODE_HH4", "StereoSGBM_MODE_SGBM", "StereoSGBM_MODE_SGBM_3WAY",
+           "StereoSGBM_create", "Tuner", "__version__", "as_opencv", "compute_frames", "find_marks", "fit_rig", "label",
+           "pair_marks", "simulate", "target_truth", "tier", "truth_q16", "tune"]

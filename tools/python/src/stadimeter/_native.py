@@ -67,9 +67,75 @@ class Score(ctypes.Structure):
     _fields_ = [("config", ScoreConfig), ("counts", ScoreCounts), ("histogram", c_int32 * 32)]
 
 
-_MATCH, _TUNE = 3, 6  # places in abi.c of the two types that stay opaque here
+class Corner(ctypes.Structure):
+    _fields_ = [("x_q8", c_int32), ("y_q8", c_int32)]
+
+
+Corners = Corner * 4
+
+
+class Mark(ctypes.Structure):
+    _fields_ = [("id", c_int16), ("hamming", c_int16), ("corner", Corners)]
+
+
+class Pair(ctypes.Structure):
+    _fields_ = [("id", c_int16), ("left", Corners), ("right", Corners)]
+
+
+class MarkConfig(ctypes.Structure):
+    _fields_ = [("ids", c_uint32), ("max_hamming", c_uint8), ("min_contrast", c_uint8)]
+
+
+class Camera(ctypes.Structure):
+    _fields_ = [("f_q8", c_int32), ("cx_q8", c_int32), ("cy_q8", c_int32)]
+
+
+class Rig(ctypes.Structure):
+    _fields_ = [("a_q16", c_int32), ("b_q24", c_int32), ("c_q24", c_int32), ("width", c_int16), ("height", c_int16)]
+
+
+class RigReport(ctypes.Structure):
+    _fields_ = [("rms_before_q8", c_int32), ("rms_after_q8", c_int32), ("worst_q8", c_int32), ("span_q8", c_int32),
+                ("corners", c_int16), ("verdict", c_uint8), ("advised", c_uint8)]
+
+
+class Box(ctypes.Structure):
+    _fields_ = [("x", c_int16), ("y", c_int16), ("width", c_int16), ("height", c_int16)]
+
+
+class Request(ctypes.Structure):
+    _fields_ = [("want", c_uint8), ("hold", c_uint8), ("box", Box), ("params", Params), ("rig", Rig)]
+
+
+class Setup(ctypes.Structure):
+    _fields_ = [("width", c_int16), ("height", c_int16), ("mode", c_uint8), ("channels", c_uint8), ("origin", c_uint8),
+                ("corrected", c_uint8), ("params", Params), ("rig", Rig)]
+
+
+class MonitorConfig(ctypes.Structure):
+    _fields_ = [(name, c_int16) for name in ("learn_frames", "cooldown_frames", "slack_q8", "threshold_q8", "clip_q8",
+                                             "follow_shift")] + [("floor_q16", c_int32), ("mark_every", c_int32)]
+
+
+class CalibConfig(ctypes.Structure):
+    _fields_ = [("geometry", Geometry), ("target", c_void_p), ("camera", Camera), ("monitor", MonitorConfig), ("ids", c_uint32)] + \
+               [(name, c_int16) for name in ("margin_px", "pose_px", "patience", "probation_frames", "budget", "min_block_size")] + \
+               [(name, c_int32) for name in ("threshold_q16", "penalty_q16", "gain_q20")] + \
+               [(name, c_uint8) for name in ("cost", "rule", "preset_mask", "tunes", "still")]
+
+
+class CalibReport(ctypes.Structure):
+    _fields_ = [(name, c_uint8) for name in ("phase", "outcome", "fault", "alarmed", "verdict_before", "verdict_after")] + \
+               [(name, c_int8) for name in ("preset", "tuned", "save_status")] + [("evaluations", c_int16)] + \
+               [(name, c_int32) for name in ("tune_before_q20", "tune_after_q20", "judge_before_q20", "judge_after_q20")] + \
+               [("rig", RigReport)]
+
+
+# Places in abi.c: of the types that are mirrored here, and of those that stay opaque.
 _MIRRORED = {0: Params, 1: Geometry, 2: Image, 4: MatchCounts, 5: TuneConfig, 7: TuneCounts, 8: ScoreConfig, 9: ScoreCounts,
-             10: Score}
+             10: Score, 11: Mark, 12: Pair, 13: MarkConfig, 14: Camera, 15: Rig, 16: RigReport, 17: Request, 18: Setup,
+             19: MonitorConfig, 20: CalibConfig, 21: CalibReport}
+_MATCH, _TUNE, _TRUTH, _CALIB, _EVALUATOR = 3, 6, 22, 23, 24
 
 _SIGNATURES = {
     "stad_status_name": (c_char_p, [c_int]),
@@ -101,6 +167,36 @@ _SIGNATURES = {
     "stad_score_rmse_q16": (c_int32, [POINTER(Score)]),
     "stad_score_mae_q16": (c_int32, [POINTER(Score)]),
     "stad_score_label_row": (None, [c_void_p, c_int, c_void_p, c_void_p]),
+    "stad_mark_config_default": (None, [POINTER(MarkConfig)]),
+    "stad_mark_bytes": (c_size_t, [c_int32, c_int32]),
+    "stad_mark_find": (c_int, [POINTER(Image), POINTER(MarkConfig), POINTER(Mark), c_int, c_void_p, c_size_t]),
+    "stad_mark_pair": (c_int, [POINTER(Mark), c_int, POINTER(Mark), c_int, POINTER(Pair), c_int]),
+    "stad_target_relief": (c_void_p, []),
+    "stad_target_card": (c_void_p, []),
+    "stad_truth_init": (c_int, [c_void_p, c_int, c_int, c_int, c_int, c_int]),
+    "stad_truth_from_target": (c_int, [c_void_p, c_void_p, POINTER(Pair), c_int, POINTER(Camera)]),
+    "stad_truth_row": (c_int, [c_void_p, c_int, c_int, c_void_p, c_void_p]),
+    "stad_rig_identity": (None, [POINTER(Rig), c_int, c_int]),
+    "stad_rig_fit": (c_int, [POINTER(Rig), POINTER(RigReport), POINTER(Pair), c_int, c_int, c_int]),
+    "stad_rig_row": (c_int, [POINTER(Rig), POINTER(Image), c_int, c_void_p]),
+    "stad_rig_straighten": (None, [POINTER(Rig), POINTER(Pair), c_int]),
+    "stad_setup_pack": (None, [POINTER(Setup), c_uint32, c_void_p]),
+    "stad_setup_unpack": (c_int, [c_void_p, c_size_t, POINTER(Setup), POINTER(c_uint32)]),
+    "stad_params_sample": (None, [POINTER(Params), c_int, c_int, c_int]),
+    "stad_calib_config_default": (None, [POINTER(CalibConfig), POINTER(Geometry), c_void_p, POINTER(Camera)]),
+    "stad_calib_init": (c_int, [c_void_p, POINTER(CalibConfig), POINTER(Setup)]),
+    "stad_calib_counts": (c_int, [c_void_p, POINTER(MatchCounts)]),
+    "stad_calib_start": (c_int, [c_void_p]),
+    "stad_calib_cancel": (None, [c_void_p]),
+    "stad_calib_want": (c_int, [c_void_p, POINTER(Request)]),
+    "stad_calib_frame_bytes": (c_size_t, [c_int32, c_int32]),
+    "stad_calib_frame": (c_int, [c_void_p, POINTER(Image), POINTER(Image), c_void_p, c_size_t]),
+    "stad_calib_evaluate_bytes": (c_size_t, [POINTER(Geometry)]),
+    "stad_calib_evaluate": (c_int32, [c_void_p, POINTER(Request), c_void_p, POINTER(Image), POINTER(Image), c_void_p, c_size_t]),
+    "stad_calib_cost": (c_int, [c_void_p, c_int32]),
+    "stad_calib_saved": (c_int, [c_void_p, c_int]),
+    "stad_calib_setup": (POINTER(Setup), [c_void_p]),
+    "stad_calib_report_of": (POINTER(CalibReport), [c_void_p]),
     "stad_abi_version": (c_char_p, []),
     "stad_abi_bytes": (c_uint32, [c_int]),
     "stad_abi_tier": (c_char_p, []),
@@ -128,13 +224,19 @@ def _load() -> ctypes.CDLL:
 lib = _load()
 MATCH_BYTES: int = lib.stad_abi_bytes(_MATCH)
 TUNE_BYTES: int = lib.stad_abi_bytes(_TUNE)
+TRUTH_BYTES: int = lib.stad_abi_bytes(_TRUTH)
+CALIB_BYTES: int = lib.stad_abi_bytes(_CALIB)
+EVALUATOR_BYTES: int = lib.stad_abi_bytes(_EVALUATOR)
+SETUP_BYTES = 60
+PARAMS = [field[0] for field in Params._fields_]
+MATCH_COUNTS = [field[0] for field in MatchCounts._fields_]
 ALIGN = 64
 
 
 def status_name(status: int) -> str:
-    return lib.stad_status_name(status).decode()
+    return str(lib.stad_status_name(status).decode())
 
 
 def tier() -> str:
     """The kernels in use: c, sse41, avx2, avx512 (lowered by the environment variable STAD_ISA)."""
-    return lib.stad_abi_tier().decode()
+    return str(lib.stad_abi_tier().decode())

@@ -14,6 +14,8 @@ StereoSGBM_MODE_SGBM = STEREO_SGBM_MODE_SGBM = 0
 StereoSGBM_MODE_HH = STEREO_SGBM_MODE_HH = 1
 StereoSGBM_MODE_SGBM_3WAY = STEREO_SGBM_MODE_SGBM_3WAY = 2
 StereoSGBM_MODE_HH4 = STEREO_SGBM_MODE_HH4 = 3
+StereoMatcher_DISP_SHIFT = STEREO_MATCHER_DISP_SHIFT = 4
+StereoMatcher_DISP_SCALE = STEREO_MATCHER_DISP_SCALE = 16
 MEMORY_PLANS = {"fast": 0, "small": 1}
 
 # OpenCV's name of a parameter, the library's, and its place in the constructor
@@ -180,6 +182,11 @@ class StereoSGBM:
         name = _OPENCV_NAME.get(field, field)
         value = f" = {self._values[name]}" if name in self._values else ""
         return ValueError(f"{name}{value} is outside the domain for these images and mode {self._mode} ({status_name(status)})")
+
+    @staticmethod
+    def create(*values: Any, **named: Any) -> "StereoSGBM":
+        """StereoSGBM_create() by its other name."""
+        return StereoSGBM_create(*values, **named)
 
     # -- the mode, and OpenCV's few other calls -----------------------------------------------------------------------------
 

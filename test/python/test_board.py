@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Marks, rig, truth and the simulated board: against the tool on the same recording, and on what is drawn to be wrong."""
+import csv
+import json
+import tempfile
+import unittest
+
+import numpy as np
+import stadimeter
+
+from scenes import main, recording, stad
+
+
+class Marks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.frames = recording(cls.folder.name, 2, seed=5)
+        cls.pairs = stadimeter.pair_marks(*(stadimeter.find_marks(view) for view in cls.frames[0]))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_marks_of_both_views_lie_on_the_same_rows(self):
+        self.assertEqual(sorted(p.id for p in self.pairs), [0, 1, 2, 3])
+        for p in self.pairs:
+            self.assertLess(np.abs(p.left[:, 1] - p.right[:, 1]).max(), 0.3)
+            self.assertTrue((p.left[:, 0] > p.right[:, 0]).all())
+
+    def test_only_the_identities_asked_for_are_found(self):
+        self.assertEqual([m.id for m in stadimeter.find_marks(self.frames[0][0], ids=[2])], [2])
+        self.assertEqual(stadimeter.find_marks(np.zeros((40, 40), np.uint8)), [])
+        with self.assertRaises(ValueError):
+            stadimeter.find_marks(np.zeros((8, 8), np.uint8))
+
+    def test_truth_of_the_target_scores_a_match(self):
+        truth, labels = stadimeter.target_truth(self.pairs, 320, 240, 64, focal=192)
+        self.assertGreater((labels == 1).sum(), 2000)
+        found = stadimeter.StereoSGBM_create(0, 64, 5, 200, 800, 1, 63, 10).compute(*self.frames[0])
+        scorer = stadimeter.Scorer(numDisparities=64)
+        scorer.add(found, truth, labels)
+        self.assertLess(scorer.cost(), 0.2)
+        with self.assertRaises(ValueError):
+            stadimeter.target_truth(self.pairs[:1], 320, 240, 64, focal=192)
+
+    def test_a_rig_that_sank_is_seen_and_corrected(self):
+        self.assertEqual(stadimeter.fit_rig(self.pairs, 320, 240).verdict, "good")
+        with tempfile.TemporaryDirectory() as folder:
+            left, right = recording(folder, 1, seed=5, drift=2)[0]
+        pairs = stadimeter.pair_marks(stadimeter.find_marks(left), stadimeter.find_marks(right))
+        rig = stadimeter.fit_rig(pairs, 320, 240)
+        self.assertEqual(rig.verdict, "correct")
+        self.assertGreater(rig.report["rms_before"], 1)
+        again = stadimeter.pair_marks(stadimeter.find_marks(left), stadimeter.find_marks(rig.apply(right)))
+        self.assertEqual(stadimeter.fit_rig(again, 320, 240).verdict, "good")
+        for moved, seen in zip(rig.straighten(pairs), again):
+            self.assertLess(np.abs(moved.right[:, 1] - seen.right[:, 1]).max(), 0.5)
+
+
+class Simulation(unittest.TestCase):
+    def test_a_board_does_what_the_tool_does(self):
+        options = {"calibrate-at": 1, "evaluations": 20, "budget": 40, "probation-frames": 0, "learn-frames": 3}
+        with tempfile.TemporaryDirectory() as folder:
+            frames = recording(f"{folder}/r", 9, seed=3, noise=30)
+            words = [word for name, value in options.items() for word in (f"--{name}", value)]
+            stad("simulate", f"{folder}/r", "--num-disparities", 64, "--focal", 192, *words, "--json", f"{folder}/j", "--csv", f"{folder}/c")
+            log, rows = json.load(open(f"{folder}/j")), list(csv.DictReader(open(f"{folder}/c")))
+        result = stadimeter.simulate(frames, numDisparities=64, focal=192, **{k.replace("-", "_"): v for k, v in options.items()})
+        self.assertEqual([(s.state, s.phase, f"{s.share:.5f}") for s in result.steps],
+                         [(r["state"], r["phase"], r["firm_share"]) for r in rows])
+        self.assertEqual([[str(v) for v in s.params.values()] for s in result.steps], [[r[k] for k in result.params] for r in rows])
+        self.assertEqual([(r.frame, r.outcome, r.evaluations, r.judge_before, r.judge_after) for r in result.runs],
+                         [(r["frame"], r["outcome"], r["evaluations"], r["judge_before"], r["judge_after"]) for r in log["runs"]])
+        self.assertEqual(log["runs"][0]["outcome"], "adopted")
+        self.assertEqual(result.params, log["stored"]["params"])
+        # a reset: another board goes on with what was stored
+        board = stadimeter.Board(320, 240, stored=result.stored)
+        self.assertEqual(board.params, result.params)
+        with self.assertRaises(ValueError):
+            stadimeter.Board(320, 240, stored=result.stored[:-1] + bytes([result.stored[-1] ^ 1]))
+
+    def test_lost_frames_are_steps_and_no_alarm(self):
+        with tempfile.TemporaryDirectory() as folder:
+            frames = recording(folder, 6, seed=1)
+        result = stadimeter.simulate([None, *frames[:3], None, *frames[3:]], numDisparities=64, learn_frames=3)
+        self.assertEqual([s.state == "skipped" for s in result.steps], [True, False, False, False, True, False, False, False])
+        self.assertEqual((result.alarms, result.stored), ([], None))
+        with self.assertRaises(ValueError):
+            stadimeter.simulate([])
+
+
+if __name__ == "__main__":
+    main()
