@@ -90,10 +90,10 @@ class Scorer:
         return float("nan") if value == FAILED_Q20 else value / 2**20
 
     def rmse(self) -> float:
-        return lib.stad_score_rmse_q16(self._score) / 65536.0
+        return float(lib.stad_score_rmse_q16(self._score) / 65536)
 
     def mae(self) -> float:
-        return lib.stad_score_mae_q16(self._score) / 65536.0
+        return float(lib.stad_score_mae_q16(self._score) / 65536)
 
     def counts(self) -> Dict[str, int]:
         c = self._score.counts
