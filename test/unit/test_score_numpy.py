@@ -13,7 +13,8 @@ except ImportError:
 
 ROOT = os.environ.get("STAD_SOURCE") or os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 sys.path.insert(0, os.path.join(ROOT, "tools", "study"))
-from native import Native  # noqa: E402
+import costs  # noqa: E402
+from package import stadimeter  # noqa: E402
 
 NONE = -2**31
 
@@ -50,21 +51,24 @@ def expected(disp, truth, known, label, disparities, threshold):
     return n, bad, chow, rmse
 
 
-def compare(native, name, disp, truth, known, disparities, threshold):
+def compare(name, disp, truth, known, disparities, threshold):
     q16 = np.where(known, np.rint(np.where(known, truth, 0) * 65536), NONE).astype(np.int32)
-    label = native.label(np.ascontiguousarray(q16))
+    label = stadimeter.label(q16)
     want = labels(truth, known)
     failures = [] if np.array_equal(label, want) else [f"labels differ at {np.argwhere(label != want)[:3].tolist()}"]
     n, bad, chow, rmse = expected(disp, truth, known, want, disparities, threshold)
-    s = native.score([(disp, q16, label)], disparities, int(threshold * 65536), "bad")
-    failures += [f"{k}: {getattr(s.counts, k)} for {v}" for k, v in n.items() if getattr(s.counts, k) != v]
-    for cost, value in ((0, bad), (1, chow)):
-        got = native.lib.stad_score_cost_of(native.pointer(s), cost) / 2**20
-        if n["visible"] and abs(got - value) > 2**-20:
-            failures.append(f"cost {cost}: {got} for {value}")
-    got = native.lib.stad_score_rmse_q16(native.pointer(s)) / 65536
-    if abs(got - rmse) > 0.002:
-        failures.append(f"rmse: {got} for {rmse}")
+    scorer = stadimeter.Scorer(disparities, threshold=threshold)
+    scorer.add(disp, q16, label)
+    counts = scorer.counts()
+    failures += [f"{k}: {counts[k]} for {v}" for k, v in n.items() if counts[k] != v]
+    for cost, value in (("bad", bad), ("chow", chow)):
+        if n["visible"] and abs(scorer.cost(cost) - value) > 2**-20:
+            failures.append(f"cost {cost}: {scorer.cost(cost)} for {value}")
+    for cost in ("bad", "chow", "d1"):
+        if n["visible"] and costs.cost_q20(counts, cost) != scorer.cost(cost) * 2**20:
+            failures.append(f"the study's cost {cost}: {costs.cost_q20(counts, cost)} for {scorer.cost(cost) * 2**20}")
+    if abs(scorer.rmse() - rmse) > 0.002:
+        failures.append(f"rmse: {scorer.rmse()} for {rmse}")
     if failures:
         print(f"FAIL {name}: " + "; ".join(failures))
     return not failures
@@ -82,15 +86,15 @@ def random_scene(seed):
 
 
 def main():
-    native, good, runs = Native(), 0, 300
+    good, runs = 0, 300
     for seed in range(runs):
-        good += compare(native, f"seed {seed}", *random_scene(seed))
+        good += compare(f"seed {seed}", *random_scene(seed))
     if os.environ.get("STAD_DATA"):
         from scenes import Scene, sample
-        s = Scene("middlebury2003/cones", native)
+        s = Scene("middlebury2003/cones")
         known = s.truth != NONE
         runs += 1
-        good += compare(native, "cones", s.disparity(sample()), s.truth / 65536.0, known, s.disparities, 1.0)
+        good += compare("cones", s.disparity(sample()), s.truth / 65536.0, known, s.disparities, 1.0)
     else:
         print("without STAD_DATA: random scenes only")
     print(f"{good} of {runs} alike")

@@ -8,7 +8,7 @@ The cost of a point is the mean over the design scenes. Printed: the mean cost i
 the design scenes (in-sample) and on the report scenes, beside what tuning each report scene alone would give."""
 import argparse
 
-from native import Native
+from ours import best_of, search
 from scenes import DEFAULT, Scene, sample, split
 
 
@@ -23,18 +23,17 @@ def main():
     a.add_argument("--family", type=listed, default=["middlebury", "driving"])
     a.add_argument("--budget", type=int, default=60)
     args = a.parse_args()
-    native = Native()
     print("| tuned on | scenes | default % | sample % | tuned together % | tuned one by one % | parameters |\n|---|---|---|---|---|---|---|")
     for kind in args.cost:
         for family in args.family:
-            halves = {h: [Scene(p, native) for p in split(h, family)] for h in ("design", "report")}
-            trace, _ = native.tune(native.config(kind, "ncg", args.budget), sample(), lambda x: round(mean_cost(halves["design"], x, kind)))
-            x = min(trace, key=lambda p: p[1])[0]
+            halves = {h: [Scene(p) for p in split(h, family)] for h in ("design", "report")}
+            trace, _ = search(kind, "ncg", args.budget, sample(), lambda x: round(mean_cost(halves["design"], x, kind)))
+            x = best_of(trace)[0]
             for half, scenes in halves.items():
                 alone = 0
                 for s in scenes:
-                    one, _ = native.tune(native.config(kind, "ncg", args.budget), sample(), lambda y: s.cost(y, kind))
-                    alone += min(c for _, c in one) / len(scenes)
+                    one, _ = search(kind, "ncg", args.budget, sample(), lambda y: s.cost(y, kind))
+                    alone += best_of(one)[1] / len(scenes)
                 values = [mean_cost(scenes, y, kind) for y in (DEFAULT, sample(), x)] + [alone]
                 print(f"| {kind} | {family}, {half} ({'in-sample' if half == 'design' else 'not seen'}) | "
                       + " | ".join(f"{100 * v / 2**20:.2f}" for v in values) + f" | {x if half == 'design' else ''} |", flush=True)

@@ -38,10 +38,11 @@ def to_cube(x):
 
 
 class Box:
-    """The counted black box. f(cube) -> cost as a fraction; trace: distinct evaluations in order."""
+    """The counted black box. f(cube) -> cost as a fraction; trace: distinct evaluations in order; rounds: the rival's own
+    iterations (generations, simplex steps, sweeps of the grid), where it has any."""
 
     def __init__(self, cost_of, budget, start):
-        self.cost_of, self.budget, self.seen, self.trace, self.calls = cost_of, budget, {}, [], 0
+        self.cost_of, self.budget, self.seen, self.trace, self.calls, self.rounds = cost_of, budget, {}, [], 0, 0
         self.start = to_cube(start)
         self.point(tuple(start))  # the start counts for everyone
 
@@ -59,6 +60,9 @@ class Box:
     def __call__(self, cube):
         return self.point(to_point(cube))
 
+    def round(self, *_):
+        self.rounds += 1
+
 
 def random_search(f, seed):
     rng = np.random.default_rng(seed)
@@ -71,6 +75,7 @@ def grid(f, seed):
     at, best, window = f.start.copy(), f(f.start), 1.0
     best = min(best, f.trace[0][1] / 2**20)
     while True:
+        f.round()
         gained = False
         for i in range(6):
             for offset in (-0.5, -0.25, 0.25, 0.5):
@@ -91,13 +96,14 @@ def nelder_mead(f, seed):
     rng, start = np.random.default_rng(seed), f.start
     while True:
         simplex = [start] + [np.clip(start + (0.2 if start[i] < 0.7 else -0.2) * np.eye(6)[i], 0, 1) for i in range(6)]
-        minimize(f, start, method="Nelder-Mead", bounds=[(0, 1)] * 6, options={"initial_simplex": np.array(simplex), "xatol": 1e-2, "fatol": 1e-5})
+        minimize(f, start, method="Nelder-Mead", bounds=[(0, 1)] * 6, callback=f.round,
+                 options={"initial_simplex": np.array(simplex), "xatol": 1e-2, "fatol": 1e-5})
         start = rng.random(6)
 
 
 def cma_es(f, seed):
     import cma
-    cma.fmin2(f, f.start, 0.2, {"seed": seed + 1, "bounds": [0, 1], "verbose": -9, "maxfevals": 10**6}, restarts=9)
+    cma.fmin2(f, f.start, 0.2, {"seed": seed + 1, "bounds": [0, 1], "verbose": -9, "maxfevals": 10**6}, restarts=9, callback=f.round)
 
 
 def tpe(f, seed):
@@ -129,7 +135,7 @@ def _pymoo(f, algorithm, seed):
         def _evaluate(self, x, out, *a, **k):
             out["F"] = f(x)
 
-    minimize(P(), algorithm, ("n_gen", 10**6), seed=seed, verbose=False)
+    minimize(P(), algorithm, ("n_gen", 10**6), seed=seed, verbose=False, callback=f.round)
 
 
 def _first(f, size, seed):

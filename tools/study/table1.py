@@ -2,99 +2,143 @@
 # SPDX-License-Identifier: MIT
 """Table 1: every method on every scene, tuned on one cost with the same budget, and what it reached.
 
-    STAD_DATA=... tools/study/table1.py [--cost chow,bad] [--family middlebury,driving] [--half design,report]
-                                        [--method NAME,...] [--budget 150] [--out results.json] [--html FILE]
+    STAD_DATA=... tools/study/table1.py [--cost chow,bad] [--family middlebury,driving] [--method NAME,...] [--budget 150]
+                                        [--out results.json] [--csv FILE] [--html FILE] [--figures FOLDER]
 
-Runs what results.json does not hold yet, then prints the tables from it. All methods: same start (sample), same lattice,
-budget counted in distinct evaluations. `to 2 %`: evaluations until the cost is within 2 % of the best that any method
-reached on that scene; `never` counts as more than the budget. `gap`: to that best, at the budget."""
+Runs what results.json does not hold yet, then prints the tables from it: means over all open scenes of a family, distance
+and speed on design and report scenes apart, and every scene's cost. All methods: same start (sample), same lattice, budget
+counted in distinct evaluations. `gap`: to the best that any method of the table reached on that scene, at the budget.
+`to 2 %`: median of the evaluations until within 2 % of it. `seconds`: distinct evaluations times the processor seconds of
+one on that scene (measured in this run, median of ten points), and what the method itself took."""
 import argparse
+import csv
 import json
 import os
 import statistics
 import sys
 import time
 
-from native import FAILED, METHODS, Native
 import rivals
-import scenes
-from scenes import DEFAULT, Scene, measures, sample, split
+from costs import measures
+from ours import OURS, best_of, search
+from scenes import DEFAULT, Scene, sample, split
 
-OURS = {"ncg": ("ncg", True), "ncg-bare": ("ncg", False), "hybrid": ("hybrid", False), "ncg-paper": ("ncg-paper", False), "sd": ("sd", False)}
 ORDER = ["ncg", "ncg-bare", "hybrid", "ncg-paper", "sd", "grid", "bobyqa", "nelder-mead", "cma-es", "tpe", "pso", "ga", "random"]
+HALVES = ("design", "report")
+NEVER = float("inf")
 
 
-def run(native, scene, kind, method, budget):
-    begin = time.time()
+def run(scene, kind, method, budget):
+    """One search. `own` is the processor time that the method took beside the evaluations."""
+    spent = [0.0]
+
+    def cost_of(x):
+        begin = time.thread_time()
+        cost = scene.cost(x, kind)
+        spent[0] += time.thread_time() - begin
+        return cost
+
+    begin = time.thread_time()
     if method in OURS:
-        name, ladder = OURS[method]
-        config = native.config(kind if ladder else "any", name, budget)
-        config.seed = 1
-        trace, n = native.tune(config, sample(), lambda x: scene.cost(x, kind))
-        calls, iterations = n.calls, n.iterations
+        trace, n = search(kind, method, budget, sample(), cost_of)
+        calls, iterations = n["calls"], n["iterations"]
     else:
-        box = rivals.run(method, lambda x: scene.cost(x, kind), sample(), budget)
-        trace, calls, iterations = box.trace, box.calls, None
-    best = min(trace, key=lambda p: p[1])
-    return {"best": list(best[0]), "costs": [c for _, c in trace], "calls": calls, "iterations": iterations, "seconds": round(time.time() - begin, 1)}
+        box = rivals.run(method, cost_of, sample(), budget)
+        trace, calls, iterations = box.trace, box.calls, box.rounds
+    own = time.thread_time() - begin - spent[0]
+    return {"best": list(best_of(trace)[0]), "costs": [c for _, c in trace], "calls": calls, "iterations": iterations, "own": round(own, 4)}
 
 
 def fill(results, path, args):
-    native = Native()
-    for kind in args.cost:
-        for family in args.family:
-            for half in args.half:
-                for place in split(half, family):
-                    todo = [m for m in args.method if f"{kind}|{place}|{m}" not in results]
-                    if not todo:
-                        continue
-                    scene = Scene(place, native)
-                    for m in todo:
-                        results[f"{kind}|{place}|{m}"] = run(native, scene, kind, m, args.budget)
-                        print(f"{kind} {place} {m}", file=sys.stderr)
-                    part = path + ".part"
-                    with open(part, "w") as f:
-                        json.dump(results, f)
-                    os.replace(part, path)
+    for family in args.family:
+        for place in split("report", family) + split("design", family):
+            todo = [(k, m) for k in args.cost for m in args.method if f"{k}|{place}|{m}" not in results]
+            if not todo and f"seconds|{place}" in results:
+                continue
+            scene = Scene(place)
+            for kind, m in todo:
+                begin = time.time()
+                results[f"{kind}|{place}|{m}"] = run(scene, kind, m, args.budget)
+                print(f"{kind} {place} {m} {time.time() - begin:.1f} s", file=sys.stderr, flush=True)
+            some = [tuple(results[f"chow|{place}|{m}"]["best"]) for m in args.method if f"chow|{place}|{m}" in results]
+            results[f"seconds|{place}"] = scene.seconds_of_one(([DEFAULT, sample()] + some)[:10])
+            with open(path + ".part", "w") as f:
+                json.dump(results, f)
+            os.replace(path + ".part", path)
 
 
 def first_within(costs, limit):
-    return next((i + 1 for i, c in enumerate(costs) if c <= limit), float("inf"))
+    return next((i + 1 for i, c in enumerate(costs) if c <= limit), NEVER)
 
 
-def text(v, digits=2):
-    return "never" if v == float("inf") else f"{v:.{digits}f}" if digits else f"{v:g}"
+def best_cost(results, kind, place):
+    return min(min(r["costs"]) for k, r in results.items() if k.startswith(f"{kind}|{place}|"))
 
 
-def rows(results, kind, places, methods):
-    """One row a method: medians and means over the scenes that it and all others have been run on."""
-    loaded = {p: Scene(p) for p in places}
-    have = [m for m in methods if all(f"{kind}|{p}|{m}" in results for p in places)]
-    best = {p: min(min(r["costs"]) for k, r in results.items() if k.startswith(f"{kind}|{p}|")) for p in places}
-    out = []
-    for name, x in (("default", DEFAULT), ("sample", sample())):
-        ms = [measures(loaded[p].counts(x)) for p in places]
-        gaps = [100 * (loaded[p].cost(x, kind) / best[p] - 1) for p in places]
-        out.append((name, ms, gaps, None, 1, 0))
-    for m in have:
-        rs = [results[f"{kind}|{p}|{m}"] for p in places]
-        ms = [measures(loaded[p].counts(tuple(r["best"]))) for p, r in zip(places, rs)]
-        gaps = [100 * (min(r["costs"]) / best[p] - 1) for p, r in zip(places, rs)]
-        steps = [first_within(r["costs"], 1.02 * best[p]) for p, r in zip(places, rs)]
-        its = [r["iterations"] for r in rs]
-        out.append((m, ms, gaps, steps, statistics.mean(len(r["costs"]) for r in rs), None if None in its else statistics.mean(its)))
-    return out
+def entry(results, scene, kind, method):
+    """What a method reached on a scene: a dict of the columns."""
+    best, one = best_cost(results, kind, scene.path), results[f"seconds|{scene.path}"]
+    if method in ("default", "sample"):
+        x = DEFAULT if method == "default" else sample()
+        r = {"best": x, "costs": [scene.cost(x, kind)], "iterations": 0, "own": 0.0}
+    else:
+        r = results[f"{kind}|{scene.path}|{method}"]
+    n = len(r["costs"])
+    return dict(measures(scene.counts(tuple(r["best"]))), iterations=r["iterations"], evaluations=n, seconds=n * one + r["own"],
+                gap=100 * (min(r["costs"]) / best - 1), to2=first_within(r["costs"], 1.02 * best), point=tuple(r["best"]))
 
 
-def markdown(kind, title, table):
-    lines = [f"**{title}, tuned on {kind}**", "", "| method | bad % | chow % | RMSE px | density % | gap % | to 2 % (median) | reached | evaluations | iterations |",
-             "|---|---|---|---|---|---|---|---|---|---|"]
-    for name, ms, gaps, steps, n, its in table:
-        mean = lambda key: statistics.mean(m[key] for m in ms)
-        reach = f"{sum(s != float('inf') for s in steps)} of {len(steps)}" if steps else ""
-        lines.append(f"| {name} | {mean('bad'):.2f} | {mean('chow'):.2f} | {mean('rmse'):.2f} | {mean('density'):.1f} | {statistics.mean(gaps):.2f} | "
-                     f"{text(statistics.median(steps), 1) if steps else ''} | {reach} | {n:.0f} | {'' if its is None else format(its, '.0f')} |")
+def table(results, kind, family, methods):
+    """method -> half -> entries, for the methods that were run on every scene of the family."""
+    places = {h: split(h, family) for h in HALVES}
+    scenes = {p: Scene(p) for h in HALVES for p in places[h]}
+    whole = [m for m in methods if all(f"{kind}|{p}|{m}" in results for p in scenes)]
+    return {m: {h: {p: entry(results, scenes[p], kind, m) for p in places[h]} for h in HALVES} for m in ["default", "sample"] + whole}
+
+
+def median_text(entries):
+    m = statistics.median(e["to2"] for e in entries.values())
+    return "never" if m == NEVER else f"{m:g}"
+
+
+def means(kind, family, tab):
+    count = sum(len(v) for v in tab["default"].values())
+    lines = [f"**{family}, all {count} open scenes, tuned on {kind}**", "",
+             "| method | bad % | chow % | RMSE px | density % | iterations | evaluations | seconds | gap %: design | report | to 2 %: design | report |",
+             "|---|---|---|---|---|---|---|---|---|---|---|---|"]
+    for m, halves in tab.items():
+        every = [e for h in HALVES for e in halves[h].values()]
+        mean = lambda key, digits: f"{statistics.mean(e[key] for e in every):.{digits}f}"
+        gaps = [f"{statistics.mean(e['gap'] for e in halves[h].values()):.2f}" for h in HALVES]
+        tuned = m not in ("default", "sample")
+        reach = [median_text(halves[h]) if tuned else "" for h in HALVES]
+        rounds = mean("iterations", 0) if any(e["iterations"] for e in every) else ""
+        lines.append(f"| {m} | {mean('bad', 2)} | {mean('chow', 2)} | {mean('rmse', 2)} | {mean('density', 1)} | {rounds} | {mean('evaluations', 0)} | "
+                     f"{mean('seconds', 2)} | {' | '.join(gaps)} | {' | '.join(reach)} |")
     return "\n".join(lines)
+
+
+def by_scene(kind, family, tab):
+    lines = [f"**{family}, {kind} in percent after tuning on it, scene by scene** (r: report scene)", "",
+             "| scene | " + " | ".join(tab) + " |", "|---" * (len(tab) + 1) + "|"]
+    for h in HALVES:
+        for place in tab["default"][h]:
+            name = place.split("/")[1] + (" (r)" if h == "report" else "")
+            lines.append(f"| {name} | " + " | ".join(f"{tab[m][h][place][kind]:.2f}" for m in tab) + " |")
+    return "\n".join(lines)
+
+
+def write_csv(path, tables):
+    columns = ("bad", "chow", "rmse", "density", "iterations", "evaluations", "seconds", "gap", "to2")
+    with open(path, "w", newline="") as f:
+        out = csv.writer(f, lineterminator="\n")
+        out.writerow(("cost", "family", "half", "scene", "method") + columns + ("p1", "p2", "block_size", "uniqueness_ratio", "pre_filter_cap", "disp12_max_diff"))
+        for (kind, family), tab in tables.items():
+            for m, halves in tab.items():
+                for h in HALVES:
+                    for place, e in halves[h].items():
+                        values = [f"{e[c]:.4g}" if isinstance(e[c], float) else e[c] for c in columns]
+                        out.writerow([kind, family, h, place, m] + ["" if v == "inf" else v for v in values] + list(e["point"]))
 
 
 def main():
@@ -102,22 +146,23 @@ def main():
     listed = lambda s: s.split(",")
     a.add_argument("--cost", type=listed, default=["chow", "bad"])
     a.add_argument("--family", type=listed, default=["middlebury", "driving"])
-    a.add_argument("--half", type=listed, default=["design", "report"])
     a.add_argument("--method", type=listed, default=ORDER)
     a.add_argument("--budget", type=int, default=150)
     a.add_argument("--out", default="results.json")
+    a.add_argument("--csv")
     a.add_argument("--html")
-    a.add_argument("--print-only", action="store_true")
+    a.add_argument("--figures")
     args = a.parse_args()
     results = json.load(open(args.out)) if os.path.exists(args.out) else {}
-    if not args.print_only:
-        fill(results, args.out, args)
-    parts = [markdown(kind, f"{family}, {half} half ({len(split(half, family))} scenes)", rows(results, kind, split(half, family), args.method))
-             for kind in args.cost for family in args.family for half in args.half]
+    fill(results, args.out, args)
+    tables = {(k, f): table(results, k, f, args.method) for k in args.cost for f in args.family}
+    parts = [show(k, f, tab) for show in (means, by_scene) for (k, f), tab in tables.items()]
     print("\n\n".join(parts))
-    if args.html:
-        from report import html
-        html(args.html, results, args, parts)
+    if args.csv:
+        write_csv(args.csv, tables)
+    if args.html or args.figures:
+        import report
+        report.write(results, args, parts)
 
 
 if __name__ == "__main__":

@@ -22,6 +22,7 @@ import numpy as np
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..'))
 VISP = '/usr/share/visp-images-data/ViSP-images/AprilTag/'
+PICTURES = [VISP + f for f in ('AprilTag.pgm', 'benchmark/640x480/tag36_11_640x480.png', 'benchmark/1920x1080/tag36_11_1920x1080.png')]
 
 
 def build():
@@ -167,18 +168,36 @@ def images():
     print(f'images  {found} marks in {looked} images of the open scenes')
 
 
+def quarter_turns(image, reference):
+    """Corners found in the picture turned by 0, 90, 180 and 270 degrees, turned back."""
+    h, w = image.shape
+    back = (lambda x, y: (x, y), lambda x, y: (w - 1 - y, x), lambda x, y: (w - 1 - x, h - 1 - y), lambda x, y: (y, h - 1 - x))
+    found = {}
+    for turn in range(4):
+        for k, corners in find(np.ascontiguousarray(np.rot90(image, turn)), reference).items():
+            found.setdefault(k, []).append(np.stack(back[turn](corners[:, 0], corners[:, 1]), axis=1))
+    return found
+
+
+def turned_mean(image, reference):
+    return {k: np.mean(v, axis=0) for k, v in quarter_turns(image, reference).items()}
+
+
 def agree():
-    files = [VISP + f for f in ('AprilTag.pgm', 'benchmark/640x480/tag36_11_640x480.png',
-                                'benchmark/1920x1080/tag36_11_1920x1080.png')]
-    if not os.path.exists(files[0]):
+    if not os.path.exists(PICTURES[0]):
         return print('agree   SKIPPED: visp-images-data is not installed')
-    for name in files:
+    for name in PICTURES:
         image = cv2.imread(name, cv2.IMREAD_GRAYSCALE)
         ours, theirs = find(image), find(image, True)
         off = np.array([np.linalg.norm(ours[k] - theirs[k], axis=1) for k in ours if k in theirs])
         print(f'agree   {os.path.basename(name)}: {len(ours)} marks, libapriltag {len(theirs)}, same identities '
               f'{sorted(ours) == sorted(theirs)}; corners mean {off.mean():.3f} rms {np.sqrt((off ** 2).mean()):.3f} '
               f'max {off.max():.3f} px')
+        for who, reference in (('ours', False), ('libapriltag', True)):
+            spread = np.concatenate([np.linalg.norm(v - np.mean(v, axis=0), axis=2) for v in
+                                     map(np.array, quarter_turns(image, reference).values())])
+            print(f'agree     {who} against its own mean over quarter turns of the picture: rms {np.sqrt((spread ** 2).mean()):.3f} '
+                  f'max {spread.max():.3f} px')
 
 
 def time():

@@ -63,8 +63,10 @@ class Scorer:
         for name, array in (("truth", rows), ("labels", marks)):
             if array.shape != disp.shape:
                 raise ValueError(f"{name}: its shape {array.shape} is not that of the disparity, {disp.shape}")
+        (d, t, m), width = (array.ctypes.data for array in (disp, rows, marks)), disp.shape[1]
         for y in range(disp.shape[0]):
-            lib.stad_score_row(self._score, y, disp[y].ctypes.data, rows[y].ctypes.data, marks[y].ctypes.data, disp.shape[1])
+            at = y * width
+            lib.stad_score_row(self._score, y, d + 2 * at, t + 4 * at, m + at, width)
 
     def add_blind(self, disparity: Any, left: Any, right: Any, counts: Dict[str, int]) -> None:
         """A frame without truth: the grey images it came from, and StereoSGBM.counts()."""

@@ -33,8 +33,8 @@ class Tuner:
         config = TuneConfig()
         lib.stad_tune_config_stereo(config, _choice("purpose", purpose, PURPOSES))
         config.method = _choice("method", method, METHODS)
-        if not 1 <= budget <= 200:
-            raise ValueError(f"budget = {budget}: 1..200 distinct evaluations")
+        if not 1 <= budget <= 240:
+            raise ValueError(f"budget = {budget}: 1..240 distinct evaluations")
         config.budget, config.seed, config.patience = budget, seed & 0xFFFFFFFF, int(patience)
         if free is not None:
             config.free_mask = sum(1 << self._index(name) for name in set(free))
