@@ -77,12 +77,19 @@ static int drain(const stad_calib *c, const stad_request *r, stad_evaluator *e, 
     return y;
 }
 
+static int corrects(const stad_rig *r)
+{
+    return r->a_q16 != 0 || r->b_q24 != 0 || r->c_q24 != 0;
+}
+
 static int feed(const stad_request *r, stad_evaluator *e, const rows *row, const stad_image *left,
                 const stad_image *right, int y)
 {
     ptrdiff_t skip = (ptrdiff_t)r->box.x * left->channels;
     pack_row(left, r->box.y + y, row->left);
-    if (stad_rig_row(&r->rig, right, r->box.y + y, row->right) != STAD_OK)
+    if (!corrects(&r->rig))
+        pack_row(right, r->box.y + y, row->right);
+    else if (stad_rig_row(&r->rig, right, r->box.y + y, row->right) != STAD_OK)
         return STAD_E_SIZE;
     return stad_match_push(&e->match, row->left + skip, row->right + skip);
 }
