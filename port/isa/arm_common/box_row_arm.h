@@ -45,34 +45,60 @@ static inline ptrdiff_t to_next(const stad_slide_job *job, int32_t x)
     return x >= 0 && x < job->columns - 1 ? job->disparities : 0;
 }
 
-/* Eight disparities of the whole run, the running sum in a register. `inside`: no column repeats. */
-static inline __attribute__((always_inline)) void slide_eight(const stad_slide_job *job, int32_t d, int inside,
+/* `size` disparities of the whole run from the d-th on, the running sums in registers. size and `inside` (no column
+ * repeats) are constants where it is inlined. */
+static inline __attribute__((always_inline)) void slide_group(const stad_slide_job *job, int32_t d, int32_t size, int inside,
                                                               int16_t *to)
 {
     const ptrdiff_t n = job->disparities;
-    const int16_t *in = sum_column(job, job->x - job->radius) + d, *out = in;
-    vec run = vec_set(job->p2);
-    for (int32_t x = job->x - job->radius; x <= job->x + job->radius; x++) {
-        run = vec_add(run, vec_load(in));
+    const int32_t r = job->radius;
+    const int16_t *in = sum_column(job, job->x - r) + d, *out = in;
+    vec run[4];
+    for (int32_t k = 0; k < size / 8; k++)
+        run[k] = vec_set(job->p2);
+    for (int32_t x = job->x - r; x <= job->x + r; x++) {
+#pragma GCC unroll 4
+        for (int32_t k = 0; k < size / 8; k++)
+            run[k] = vec_add(run[k], vec_load(in + 8 * k));
         in += inside ? n : to_next(job, x);
     }
-    vec_store(to, run);
-    for (int32_t i = job->count - 1, x = job->x; i > 0; i--, x++) {
-        run = vec_add(run, vec_sub(vec_load(in), vec_load(out)));
+    for (int32_t i = job->count, x = job->x;; x++) {
+#pragma GCC unroll 4
+        for (int32_t k = 0; k < size / 8; k++)
+            vec_store(to + 8 * k, run[k]);
+        if (--i == 0)
+            break;
         to += n;
-        vec_store(to, run);
-        in += inside ? n : to_next(job, x + job->radius + 1);
-        out += inside ? n : to_next(job, x - job->radius);
+#pragma GCC unroll 4
+        for (int32_t k = 0; k < size / 8; k++)
+            run[k] = vec_sub(vec_add(run[k], vec_load(in + 8 * k)), vec_load(out + 8 * k));
+        in += inside || x + r + 1 < job->columns - 1 ? n : 0;
+        out += inside || x >= r ? n : 0;
     }
+}
+
+static __attribute__((noinline)) void slide_inside(const stad_slide_job *job, int16_t *block)
+{
+    int32_t d = 0;
+    for (; d + 32 <= job->disparities; d += 32)
+        slide_group(job, d, 32, 1, block + d);
+    for (; d < job->disparities; d += 8)
+        slide_group(job, d, 8, 1, block + d);
+}
+
+static __attribute__((noinline)) void slide_edge(const stad_slide_job *job, int16_t *block)
+{
+    int32_t d = 0;
+    for (; d + 32 <= job->disparities; d += 32)
+        slide_group(job, d, 32, 0, block + d);
+    for (; d < job->disparities; d += 8)
+        slide_group(job, d, 8, 0, block + d);
 }
 
 void STAD_TIER(stad_slide_row)(const stad_slide_job *job, int16_t *block)
 {
-    const int inside = job->x >= job->radius && job->x + job->count + job->radius <= job->columns;
-    for (int32_t d = 0; d < job->disparities; d += 8) {
-        if (inside)
-            slide_eight(job, d, 1, block + d);
-        else
-            slide_eight(job, d, 0, block + d);
-    }
+    if (job->x >= job->radius && job->x + job->count + job->radius <= job->columns)
+        slide_inside(job, block);
+    else
+        slide_edge(job, block);
 }

@@ -4,29 +4,34 @@
  * disparities is a multiple of 8: where 16 do not divide it, the last 16 overlap the ones before and are written twice
  * with the same values; fewer than 16 are left to C. */
 
-/* A left sample and its range, and where the right row's samples begin. */
+/* A left sample of a plane and the right row from the column that disparity 0 meets; lows and highs a width further each. */
 typedef struct plane_pair {
-    vec value, low;
-    uint8_t value_u8, high_u8;
-    const uint8_t *right;
+    const uint8_t *left, *right;
+    ptrdiff_t width;
 } plane_pair;
 
 static inline plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_t x)
 {
     const ptrdiff_t width = job->width;
-    const uint8_t *left = job->left + plane * 3 * width + x;
-    plane_pair pair = {vec_set_u8(left[0]), vec_set_u8(left[width]), left[0], left[2 * width],
-                       job->right + plane * 3 * width + (width - 1 - x + job->min_disparity)};
+    plane_pair pair = {job->left + plane * 3 * width + x,
+                       job->right + plane * 3 * width + (width - 1 - x + job->min_disparity), width};
     return pair;
 }
 
-static inline vec distance(const plane_pair *p, ptrdiff_t width, int32_t d)
+/* The distances of `groups` times 16 disparities from the d-th on. */
+static inline __attribute__((always_inline)) void distances(const plane_pair *p, int32_t d, int32_t groups, vec *out)
 {
-    const vec value = vec_load_u8(p->right + d), low = vec_load_u8(p->right + width + d);
-    const vec high = vec_load_u8(p->right + 2 * width + d);
-    const vec to_right = vec_max_u8(vec_sub_floor_u8(p->value, high), vec_sub_floor_scalar_u8(low, p->value_u8));
-    const vec to_left = vec_max_u8(vec_sub_floor_scalar_u8(value, p->high_u8), vec_sub_floor_u8(p->low, value));
-    return vec_min_u8(to_right, to_left);
+    const uint8_t value_u8 = p->left[0], low_u8 = p->left[p->width], high_u8 = p->left[2 * p->width];
+    const vec value = vec_set_u8(value_u8), low = vec_set_u8(low_u8);
+    const uint8_t *right = p->right + d, *right_low = right + p->width, *right_high = right_low + p->width;
+#pragma GCC unroll 4
+    for (int32_t k = 0; k < groups; k++) {
+        const vec there = vec_load_u8(right + 16 * k);
+        const vec to_right = vec_max_u8(vec_sub_floor_u8(value, vec_load_u8(right_high + 16 * k)),
+                                        vec_sub_floor_scalar_u8(vec_load_u8(right_low + 16 * k), value_u8));
+        const vec to_left = vec_max_u8(vec_sub_floor_scalar_u8(there, high_u8), vec_sub_floor_u8(low, there));
+        out[k] = vec_min_u8(to_right, to_left);
+    }
 }
 
 /* Where the d-th group of 16 begins. */
@@ -35,25 +40,36 @@ static inline int32_t group_at(int32_t d, int32_t n)
     return d + 16 <= n ? d : n - 16;
 }
 
-static void column_u8(const stad_cost_job *job, int32_t x, int32_t channel, uint8_t *cost)
+/* `groups` times 16 disparities of the whole run. */
+static inline __attribute__((always_inline)) void run_u8(const stad_cost_job *job, int32_t d, int32_t groups, uint8_t *cost)
 {
-    const plane_pair gradient = pair_at(job, channel, x), intensity = pair_at(job, job->channels + channel, x);
-    const int32_t n = job->disparities;
-    for (int32_t d = 0; d < n; d += 16) {
-        const int32_t at = group_at(d, n);
-        const vec quarter = vec_shift_right_u8(distance(&intensity, job->width, at), 2);
-        vec_store_u8(cost + at, vec_add_u8(distance(&gradient, job->width, at), quarter));
+    plane_pair gradient = pair_at(job, 0, job->x), intensity = pair_at(job, 1, job->x);
+    const ptrdiff_t n = job->disparities;
+    for (int32_t i = job->count; i > 0; i--, cost += n) {
+        vec whole[2], quarter[2];
+        distances(&gradient, d, groups, whole);
+        distances(&intensity, d, groups, quarter);
+#pragma GCC unroll 4
+        for (int32_t k = 0; k < groups; k++)
+            vec_store_u8(cost + 16 * k, vec_add_u8(whole[k], vec_shift_right_u8(quarter[k], 2)));
+        gradient.left++;
+        gradient.right--;
+        intensity.left++;
+        intensity.right--;
     }
 }
 
 void STAD_TIER(stad_cost_row_u8)(const stad_cost_job *job, uint8_t *cost)
 {
+    int32_t d = 0;
     if (job->channels != 1 || job->disparities < 16) {
         stad_cost_row_u8_c(job, cost);
         return;
     }
-    for (int32_t i = 0; i < job->count; i++, cost += job->disparities)
-        column_u8(job, job->x + i, 0, cost);
+    for (; d + 32 <= job->disparities; d += 32)
+        run_u8(job, d, 2, cost + d);
+    for (; d < job->disparities; d += 16)
+        run_u8(job, group_at(d, job->disparities), 1, cost + group_at(d, job->disparities));
 }
 
 /* Columns of several channels: each 16 disparities are summed over the channels before they are stored. */
@@ -66,8 +82,11 @@ static void column_u16(const stad_cost_job *job, int32_t x, uint16_t *cost)
         for (int32_t c = 0; c < job->channels; c++) {
             const plane_pair gradient = pair_at(job, c, x), intensity = pair_at(job, job->channels + c, x);
             uint8_t g[16], q[16];
-            vec_store_u8(g, distance(&gradient, job->width, at));
-            vec_store_u8(q, vec_shift_right_u8(distance(&intensity, job->width, at), 2));
+            vec whole, quarter;
+            distances(&gradient, at, 1, &whole);
+            distances(&intensity, at, 1, &quarter);
+            vec_store_u8(g, whole);
+            vec_store_u8(q, vec_shift_right_u8(quarter, 2));
             first = vec_add(first, vec_add(vec_widen(g), vec_widen(q)));
             second = vec_add(second, vec_add(vec_widen(g + 8), vec_widen(q + 8)));
         }

@@ -8,10 +8,21 @@
 
 enum total_use { TOTAL_NONE, TOTAL_FRESH, TOTAL_ADD };
 
-/* A lane's place: the slot read, the slot written, and where the ring turns. */
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
+
+/* What a run needs of its job, in registers: stores through vectors might alias the job itself. */
+typedef struct run {
+    int32_t p1, p2;
+    ptrdiff_t skip, to_next; /* cells from a pixel's end to the next one: in a lane, in block and total */
+    int32_t groups;          /* of 32 disparities, or of 8 */
+} run;
+
+/* Where a lane stands in a stretch of pixels in which its ring does not turn: the cells read and written, the least costs of
+ * their slots. A lane of two slots (`turns`) exchanges them at every pixel and has its least costs at hand. */
 typedef struct track {
-    int16_t *base, *from, *to, *least;
-    int32_t from_slot, to_slot, slots;
+    const int16_t *from, *least_from;
+    int16_t *to, *least_to;
+    int32_t least, least_before;
 } track;
 
 /* One pixel of a lane: m + p2 in all lanes, and the least cost so far. */
@@ -19,34 +30,63 @@ typedef struct state {
     vec delta, least;
 } state;
 
-#define ALWAYS_INLINE static inline __attribute__((always_inline))
-
-ALWAYS_INLINE track track_of(const stad_path_job *job, const stad_lane *lane)
+/* Finds the lane's place; shortens the stretch to where the ring turns. */
+ALWAYS_INLINE void place(track *t, const stad_path_job *job, const stad_lane *lane, int turns, int32_t *stretch)
 {
-    const int32_t to = lane->write, from = to + 1 == lane->slots ? 0 : to + 1;
-    track t = {lane->cost, lane->cost + (ptrdiff_t)from * job->stride, lane->cost + (ptrdiff_t)to * job->stride,
-               lane->least, from, to, lane->slots};
-    return t;
+    const int32_t to = lane->write, from = to + 1 == lane->slots ? 0 : to + 1, left = lane->slots - (from > to ? from : to);
+    t->from = lane->cost + (ptrdiff_t)from * job->stride;
+    t->to = lane->cost + (ptrdiff_t)to * job->stride;
+    t->least_from = lane->least + from;
+    t->least_to = lane->least + to;
+    t->least = t->least_before = *t->least_from;
+    if (!turns && left < *stretch)
+        *stretch = left;
 }
 
-ALWAYS_INLINE void advance(track *t, int32_t stride)
+/* Leaves the lane `stretch` pixels further. */
+ALWAYS_INLINE void leave(const track *t, stad_lane *lane, int turns, int32_t stretch)
 {
-    t->to = t->from;
-    t->to_slot = t->from_slot++;
-    t->from += stride;
-    if (t->from_slot == t->slots) {
-        t->from_slot = 0;
-        t->from = t->base;
+    if (turns) {
+        lane->write ^= stretch & 1;
+        lane->least[lane->write] = (int16_t)t->least_before;
+        lane->least[1 - lane->write] = (int16_t)t->least;
+    } else {
+        lane->write += stretch;
+        if (lane->write == lane->slots)
+            lane->write = 0;
     }
 }
 
-/* Eight disparities of a lane; from and to point at the first of them. */
-ALWAYS_INLINE vec step(state *s, const int16_t *from, int16_t *to, vec block, int32_t p1)
+ALWAYS_INLINE void enter_pixel(state *s, const track *t, int turns, int32_t p2)
 {
-    const vec side = vec_add_scalar(vec_min_u16(vec_load(from - 1), vec_load(from + 1)), p1);
-    const vec reach = vec_min_u16(vec_load(from), side);
+    s->delta = vec_set((turns ? t->least : *t->least_from) + p2);
+    s->least = vec_set(STAD_COST_MAX);
+}
+
+ALWAYS_INLINE void leave_pixel(const state *s, track *t, int turns, const run *r, ptrdiff_t n)
+{
+    const int32_t least = vec_least(s->least);
+    if (turns) {
+        const int16_t *read = t->from - n;
+        t->from = t->to - n;
+        t->to = (int16_t *)read;
+        t->least_before = t->least;
+        t->least = least;
+    } else {
+        *t->least_to++ = (int16_t)least;
+        t->least_from++;
+        t->from += r->skip;
+        t->to += r->skip;
+    }
+}
+
+/* Eight disparities of a lane, the d-th and on. */
+ALWAYS_INLINE vec step(state *s, const track *t, int32_t d, vec block, int32_t p1)
+{
+    const vec side = vec_add_scalar(vec_min_u16(vec_load(t->from + d - 1), vec_load(t->from + d + 1)), p1);
+    const vec reach = vec_min_u16(vec_load(t->from + d), side);
     const vec path = vec_sub(block, vec_sub_floor(s->delta, reach));
-    vec_store(to, path);
+    vec_store(t->to + d, path);
     s->least = vec_min_u16(s->least, path);
     return path;
 }
@@ -56,90 +96,138 @@ ALWAYS_INLINE void eight(state *s, const track *t, int32_t d, const int16_t *blo
                          enum total_use use)
 {
     const vec cost = vec_load(block + d);
-    vec sum = step(&s[0], t[0].from + d, t[0].to + d, cost, p1);
+    vec sum = step(&s[0], &t[0], d, cost, p1);
 #pragma GCC unroll 4
     for (int k = 1; k < count; k++)
-        sum = vec_add_sat(sum, step(&s[k], t[k].from + d, t[k].to + d, cost, p1));
+        sum = vec_add_sat(sum, step(&s[k], &t[k], d, cost, p1));
     if (use == TOTAL_ADD)
         sum = vec_add_sat(sum, vec_load(total + d));
     if (use != TOTAL_NONE)
         vec_store(total + d, sum);
 }
 
-/* One pixel of `count` <= VEC_ABREAST lanes; count and use are constants where it is inlined. */
-ALWAYS_INLINE void pixel(const stad_path_job *job, const int16_t *block, int16_t *total, track *t, int count,
-                         enum total_use use)
+/* One pixel of `count` lanes: `groups` times `size` disparities. All but r, t and the pointers are constants. */
+ALWAYS_INLINE void pixel(const run *r, const int16_t **block, int16_t **total, track *t, int count, int turns, int32_t groups,
+                         int32_t size, enum total_use use)
 {
-    const int32_t n = job->disparities, p1 = job->p1;
     state s[VEC_ABREAST];
-    int32_t d = 0;
 #pragma GCC unroll 4
-    for (int k = 0; k < count; k++) {
-        s[k].delta = vec_set(t[k].least[t[k].from_slot] + job->p2);
-        s[k].least = vec_set(STAD_COST_MAX);
-    }
-    for (; VEC_UNROLL && d + 16 <= n; d += 16) {
-        eight(s, t, d, block, total, p1, count, use);
-        eight(s, t, d + 8, block, total, p1, count, use);
-    }
-    for (; d < n; d += 8)
-        eight(s, t, d, block, total, p1, count, use);
+    for (int k = 0; k < count; k++)
+        enter_pixel(&s[k], &t[k], turns && k == 0, r->p2);
+    for (int32_t i = groups; i > 0; i--) {
 #pragma GCC unroll 4
-    for (int k = 0; k < count; k++) {
-        t[k].least[t[k].to_slot] = (int16_t)vec_least(s[k].least);
-        advance(&t[k], job->stride);
+        for (int32_t d = 0; d < size; d += 8)
+            eight(s, t, d, *block, *total, r->p1, count, use);
+        *block += size;
+        *total += use == TOTAL_NONE ? 0 : size;
+#pragma GCC unroll 4
+        for (int k = 0; k < count; k++) {
+            t[k].from += size;
+            t[k].to += size;
+        }
     }
+#pragma GCC unroll 4
+    for (int k = 0; k < count; k++)
+        leave_pixel(&s[k], &t[k], turns && k == 0, r, (ptrdiff_t)groups * size);
+    *block += r->to_next;
+    *total += use == TOTAL_NONE ? 0 : r->to_next;
 }
 
-ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count, enum total_use first)
+/* The whole run of `count` <= VEC_ABREAST lanes, the first of two slots if it `turns`. groups: a constant, or 0. */
+ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count, int turns, int32_t groups, int32_t size,
+                          enum total_use use)
 {
-    const ptrdiff_t to_next = (ptrdiff_t)job->step * job->disparities;
-    const enum total_use later = first == TOTAL_NONE ? TOTAL_NONE : TOTAL_ADD;
-    const int one = count < VEC_ABREAST ? count : VEC_ABREAST;
+    const int32_t n = groups > 0 ? groups * size : job->disparities;
+    const run r = {job->p1, job->p2, job->stride - n, ((ptrdiff_t)job->step - 1) * n, n / size};
     const int16_t *block = job->block;
     int16_t *total = job->total;
-    track t[4];
+    track t[VEC_ABREAST];
+    for (int32_t left = job->count; left > 0;) {
+        int32_t stretch = left;
 #pragma GCC unroll 4
-    for (int k = 0; k < count; k++)
-        t[k] = track_of(job, &lanes[k]);
-    for (int32_t i = 0; i < job->count; i++, block += to_next) {
-        pixel(job, block, total, t, one, first);
-        if (count > one)
-            pixel(job, block, total, t + one, count - one, later);
-        if (first != TOTAL_NONE)
-            total += to_next;
+        for (int k = 0; k < count; k++)
+            place(&t[k], job, &lanes[k], turns && k == 0, &stretch);
+        left -= stretch;
+        for (int32_t i = stretch; i > 0; i--)
+            pixel(&r, &block, &total, t, count, turns, groups > 0 ? groups : r.groups, size, use);
+#pragma GCC unroll 4
+        for (int k = 0; k < count; k++)
+            leave(&t[k], &lanes[k], turns && k == 0, stretch);
     }
-#pragma GCC unroll 4
-    for (int k = 0; k < count; k++)
-        lanes[k].write = t[k].to_slot;
 }
 
-#define RUN_OF(count) \
-    do { \
-        if (!job->total) \
-            run_of(job, lanes, count, TOTAL_NONE); \
-        else if (job->fresh) \
-            run_of(job, lanes, count, TOTAL_FRESH); \
+/* Each form is a function of its own: compilers allot registers by function. */
+#define FORM(name, count, turns, groups, size, use) \
+    static __attribute__((noinline)) void name(const stad_path_job *job, stad_lane *lanes) \
+    { \
+        run_of(job, lanes, count, turns, groups, size, use); \
+    }
+
+/* Functions <name>_<use>: exactly 32 disparities, a multiple of 32, a multiple of 8. */
+#define FORMS_OF_USE(name, count, turns, use) \
+    FORM(name##_is_32, count, turns, 1, 32, use) \
+    FORM(name##_by_32, count, turns, 0, 32, use) \
+    FORM(name##_by_8, count, turns, 0, 8, use) \
+    static void name(const stad_path_job *job, stad_lane *lanes) \
+    { \
+        if (job->disparities == 32) \
+            name##_is_32(job, lanes); \
+        else if (job->disparities % 32 == 0) \
+            name##_by_32(job, lanes); \
         else \
-            run_of(job, lanes, count, TOTAL_ADD); \
-    } while (0)
+            name##_by_8(job, lanes); \
+    }
+
+#define FORMS(name, count, turns) \
+    FORMS_OF_USE(name##_none, count, turns, TOTAL_NONE) \
+    FORMS_OF_USE(name##_fresh, count, turns, TOTAL_FRESH) \
+    FORMS_OF_USE(name##_add, count, turns, TOTAL_ADD) \
+    static void name(const stad_path_job *job, stad_lane *lanes, int fresh) \
+    { \
+        if (!job->total) \
+            name##_none(job, lanes); \
+        else if (fresh) \
+            name##_fresh(job, lanes); \
+        else \
+            name##_add(job, lanes); \
+    }
+
+FORMS(one, 1, 0)
+FORMS(one_turning, 1, 1)
+FORMS(two, 2, 0)
+FORMS(two_turning, 2, 1)
+#if VEC_ABREAST >= 4
+FORMS(four_turning, 4, 1)
+#endif
+
+/* Takes the first lanes abreast, as many as there is a form for; returns how many. */
+static int32_t take_lanes(const stad_path_job *job, stad_lane *lanes, int32_t count, int fresh)
+{
+    const int turns = lanes[0].slots == 2;
+#if VEC_ABREAST >= 4
+    if (turns && count >= 4) {
+        four_turning(job, lanes, fresh);
+        return 4;
+    }
+#endif
+    if (count >= 2) {
+        if (turns)
+            two_turning(job, lanes, fresh);
+        else
+            two(job, lanes, fresh);
+        return 2;
+    }
+    if (turns)
+        one_turning(job, lanes, fresh);
+    else
+        one(job, lanes, fresh);
+    return 1;
+}
 
 void STAD_TIER(stad_path_row)(const stad_path_job *job, stad_lane *lanes, int32_t lane_count)
 {
-    switch (lane_count) {
-    case 1:
-        RUN_OF(1);
-        break;
-    case 2:
-        RUN_OF(2);
-        break;
-    case 3:
-        RUN_OF(3);
-        break;
-    default:
-        RUN_OF(4);
-        break;
-    }
+    for (int32_t k = 0; k < lane_count;)
+        k += take_lanes(job, lanes + k, lane_count - k, job->fresh && k == 0);
 }
 
 void STAD_TIER(stad_gather_row)(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job)

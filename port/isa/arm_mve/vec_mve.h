@@ -10,7 +10,6 @@
 
 #define STAD_TIER(name) name##_mve
 #define VEC_ABREAST     2 /* lanes of the path kernel that 8 registers hold */
-#define VEC_UNROLL      0 /* a loop costs nothing here */
 
 typedef int16x8_t vec;
 

@@ -7,7 +7,6 @@
 #include <stdint.h>
 
 #define STAD_TIER(name) name##_neon
-#define VEC_UNROLL      1
 
 typedef int16x8_t vec;
 
