@@ -12,6 +12,11 @@ static inline int any(int low, int high)
     return Frama_C_interval(low, high);
 }
 
+static inline long long any64(long long low, long long high)
+{
+    return Frama_C_long_long_interval(low, high);
+}
+
 static inline void any_u8(uint8_t *p, int n)
 {
     for (int i = 0; i < n; i++) {

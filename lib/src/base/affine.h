@@ -21,7 +21,7 @@ typedef struct stad_affine {
 
 void stad_affine_add(stad_affine_sums *s, int32_t x, int32_t y, int32_t v);
 
-/* 1, or 0 when the points lie on a line or a slope is 512 or more. */
+/* 1, or 0 when the points lie on a line a slope is 512 or more, or |a| is 2^22 or more. */
 int stad_affine_solve(const stad_affine_sums *s, stad_affine *fit);
 
 /* The value at (x, y), times 2^8. */

@@ -77,10 +77,16 @@ static inline int16_t sat_i16(int32_t v)
     return (int16_t)clamp_i32(v, INT16_MIN, INT16_MAX);
 }
 
+static inline int32_t sat_i32(int64_t v)
+{
+    return v < INT32_MIN ? INT32_MIN : v > INT32_MAX ? INT32_MAX : (int32_t)v;
+}
+
 /* The low 16 bits read as two's complement, with no implementation-defined conversion. */
 static inline int16_t wrap_i16(int32_t v)
 {
-    return (int16_t)((int32_t)((uint32_t)v & 0xFFFFu) - (int32_t)(((uint32_t)v & 0x8000u) << 1));
+    const int32_t low = (int32_t)((uint32_t)v & 0xFFFFu);
+    return (int16_t)(low < 0x8000 ? low : low - 0x10000);
 }
 
 static inline int16_t add_sat_i16(int16_t a, int16_t b)
@@ -91,6 +97,12 @@ static inline int16_t add_sat_i16(int16_t a, int16_t b)
 static inline int16_t sub_sat_i16(int16_t a, int16_t b)
 {
     return sat_i16((int32_t)a - b);
+}
+
+/* n, a multiple of 16, in a form that tells the compiler so: a vectorised loop then has no remainder. */
+static inline int32_t whole_16(int32_t n)
+{
+    return (int32_t)((uint32_t)n & ~(uint32_t)15);
 }
 
 /* v modulo n for n > 0, in [0, n) for negative v too. */

@@ -7,7 +7,7 @@ int32_t stad_log2_q16(uint32_t v)
     int32_t whole = 0;
     if (v == 0)
         return 0;
-    while (v >> (whole + 1) != 0 && whole < 31)
+    while (whole < 31 && v >> (whole + 1) != 0)
         whole++;
     uint64_t m = ((uint64_t)v << 31) >> whole; /* Q31 in [1, 2) */
     int32_t log_q16 = whole;

@@ -4,6 +4,7 @@
  * Widths: shares are Q16 in 0..65536; deviations Q8, clipped before they are summed, so the sum stays below
  * threshold + clip < 2^16. */
 #include "stad/monitor.h"
+#include "base/arith.h"
 #include "base/log.h"
 
 void stad_monitor_defaults(stad_monitor_config *config)
@@ -65,7 +66,7 @@ static void learn(stad_monitor *m)
         return;
     /* n * squares < 2^10 * 2^10 * 2^32; the difference is never negative (Cauchy-Schwarz, exact integers) */
     int64_t variance = (n * m->learn_sq - m->learn_sum * m->learn_sum) / (n * (n - 1));
-    int32_t sigma = (int32_t)stad_isqrt((uint64_t)variance); /* of a share: at most 2^16 */
+    int32_t sigma = sat_i32(stad_isqrt((uint64_t)variance)); /* of a share: at most 2^16 */
     m->mean_q16 = (int32_t)((m->learn_sum + n / 2) / n);
     m->sigma_q16 = sigma > m->config.floor_q16 ? sigma : m->config.floor_q16;
 }

@@ -74,7 +74,7 @@ static int32_t rms_q8(const stad_rig *r, const stad_pair *pairs, int n)
             sum += (uint64_t)(dy * dy);
         }
     }
-    return n > 0 ? (int32_t)stad_isqrt(sum / (4 * (uint64_t)n)) : 0;
+    return n > 0 ? sat_i32(stad_isqrt(sum / (4 * (uint64_t)n))) : 0;
 }
 
 /* Extent in x of the corners of the left view. */

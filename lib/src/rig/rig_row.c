@@ -62,7 +62,8 @@ static int32_t whole(uint32_t position)
 /* The corrections this file's arithmetic covers, and more than any that is worth applying. */
 static int covered(const stad_rig *r)
 {
-    return abs_i32(r->a_q16) <= MAX_SHIFT_Q16 && abs_i32(r->b_q24) <= MAX_SLOPE_Q24 && abs_i32(r->c_q24) <= MAX_SLOPE_Q24 &&
+    return r->a_q16 >= -MAX_SHIFT_Q16 && r->a_q16 <= MAX_SHIFT_Q16 && r->b_q24 >= -MAX_SLOPE_Q24 && r->b_q24 <= MAX_SLOPE_Q24 &&
+           r->c_q24 >= -MAX_SLOPE_Q24 && r->c_q24 <= MAX_SLOPE_Q24 &&
            r->width >= 16 && r->width <= STAD_MARK_MAX_SIZE && r->height >= 16 && r->height <= STAD_MARK_MAX_SIZE;
 }
 

@@ -2,13 +2,21 @@
  * counts -> [COST] -> tune         score/score_cost.c - one Q20 number from the exact counts. */
 #include "stad/score.h"
 
+#include "base/arith.h"
 #include "base/log.h"
 
-/* part / whole in Q20, rounded; part <= 2^42 so that nothing overflows. */
+/* part / whole in Q20, rounded. Both shed bits beyond what Q20 leaves room for: sums over millions of pixels. */
 static int32_t ratio_q20(int64_t part, int64_t whole)
 {
     if (whole <= 0)
         return STAD_COST_FAILED;
+    part = part < 0 ? 0 : part; /* of no counts that rows can make */
+    while (part >= (int64_t)1 << 42 && whole > 1) {
+        part /= 2;
+        whole /= 2;
+    }
+    if (part >= (int64_t)1 << 42)
+        return STAD_COST_FAILED - 1;
     const int64_t q = (part * STAD_COST_ONE + whole / 2) / whole;
     return q < STAD_COST_FAILED ? (int32_t)q : STAD_COST_FAILED - 1;
 }
@@ -24,14 +32,13 @@ int32_t stad_score_rmse_q16(const stad_score *s)
     if (n <= 0)
         return 0;
     const int64_t mean_q16 = (s->counts.square_sum_q16 + n / 2) / n;
-    return (int32_t)stad_isqrt((uint64_t)mean_q16
-                               << 16); /* mean_q16 <= 2^42: errors are below 2^21 / 256 px */
+    return sat_i32(stad_isqrt((uint64_t)mean_q16 << 16)); /* mean_q16 <= 2^42: errors are below 2^21 / 256 px */
 }
 
 int32_t stad_score_mae_q16(const stad_score *s)
 {
     const int32_t n = with_disparity(&s->counts);
-    return n <= 0 ? 0 : (int32_t)((s->counts.abs_sum_q16 + n / 2) / n);
+    return n <= 0 ? 0 : sat_i32((s->counts.abs_sum_q16 + n / 2) / n);
 }
 
 /* An error in px * 65536 against the disparity range, at most 1. No disparity at all is as bad as can be. */
@@ -71,7 +78,8 @@ static int32_t blind(const stad_score *s)
 {
     const stad_score_counts *n = &s->counts;
     const int32_t gaps = ratio_q20(n->considered - n->matched + 2 * (int64_t)n->speckle, n->considered);
-    return gaps == STAD_COST_FAILED ? gaps : gaps + photo(s); /* at most 3 + 1 */
+    const int32_t rest = photo(s); /* at most 3 + 1, unless the caller counted speckles twice */
+    return gaps < STAD_COST_FAILED - rest ? gaps + rest : STAD_COST_FAILED;
 }
 
 int32_t stad_score_cost_of(const stad_score *s, int cost)

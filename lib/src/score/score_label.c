@@ -7,7 +7,7 @@
 
 static int32_t floor_q16(int32_t v)
 {
-    return v >= 0 ? v / 65536 : -((65535 - v) / 65536);
+    return v / 65536 - (v % 65536 < 0);
 }
 
 static void land(int32_t *nearest, int width, int column, int32_t truth)

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT
+ * test_extremes.c - numbers at the ends of their types, each of which the value analysis or a fuzzer once found mishandled.
+ * The sanitizer tier runs them too. */
+#include <string.h>
+
+#include "base/affine.h"
+#include "base/log.h"
+#include "stad/rig.h"
+#include "stad/score.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+void test_log_of_the_upper_half_stays_in_32_bits(void)
+{
+    TEST_ASSERT_EQUAL_INT32(31 * 65536, stad_log2_q16(0x80000000u));
+    TEST_ASSERT_EQUAL_INT32(32 * 65536, stad_log2_q16(UINT32_MAX));
+}
+
+void test_affine_offset_beyond_its_field_is_no_fit(void)
+{
+    stad_affine_sums sums = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+    stad_affine fit;
+    for (int i = 0; i < 8; i++) /* slope 400 at x about 32000: the value at x = 0 is -12.8 million */
+        stad_affine_add(&sums, 32000 + 10 * i, 20000 + 700 * (i % 3), 4000 * i);
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&sums, &fit));
+}
+
+void test_rig_with_the_least_shift_is_refused(void)
+{
+    static uint8_t pix[16 * 16], out[16];
+    stad_image image = stad_image_packed(pix, 16, 16, 1);
+    stad_rig rig = {INT32_MIN, 0, 0, 16, 16};
+    TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_rig_row(&rig, &image, 3, out));
+    rig.a_q16 = 0;
+    rig.b_q24 = INT32_MIN;
+    TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_rig_row(&rig, &image, 3, out));
+}
+
+static stad_score scored(int cost, int32_t pixels)
+{
+    stad_score s;
+    stad_score_config c;
+    stad_score_config_init(&c, cost, 0, 64);
+    TEST_ASSERT_EQUAL(STAD_OK, stad_score_begin(&s, &c));
+    s.counts.considered = s.counts.matched = pixels;
+    for (int i = 0; i < 32; i++)
+        s.histogram[i] = pixels / 32;
+    return s;
+}
+
+void test_score_entropy_of_many_frames_does_not_overflow(void)
+{
+    stad_score s = scored(STAD_SCORE_ENTROPY, 1 << 30);
+    TEST_ASSERT_EQUAL_INT32(STAD_COST_ONE, stad_score_end(&s));
+}
+
+void test_score_blind_with_impossible_speckles_stays_a_cost(void)
+{
+    stad_score s = scored(STAD_SCORE_BLIND, 1);
+    s.counts.photo_sum = 80 * 16;
+    stad_score_frame_blind(&s, INT32_MAX, 0);
+    TEST_ASSERT_GREATER_OR_EQUAL_INT32(STAD_COST_ONE, stad_score_end(&s));
+    stad_score_frame_blind(&s, -1000, 0);
+    TEST_ASSERT_GREATER_OR_EQUAL_INT32(0, stad_score_end(&s));
+}
+
+void test_score_labels_of_the_farthest_truth(void)
+{
+    const int32_t truth[4] = {-(1 << 28) + 1, STAD_TRUTH_NONE, (1 << 28) - 1, -1};
+    uint8_t label[4];
+    int32_t work[4];
+    stad_score_label_row(truth, 4, label, work);
+    TEST_ASSERT_EQUAL(STAD_LABEL_IGNORED, label[1]);
+    TEST_ASSERT_EQUAL(STAD_LABEL_OCCLUDED, label[0]);
+    TEST_ASSERT_EQUAL(STAD_LABEL_OCCLUDED, label[2]);
+    TEST_ASSERT_EQUAL(STAD_LABEL_VISIBLE, label[3]);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_log_of_the_upper_half_stays_in_32_bits);
+    RUN_TEST(test_affine_offset_beyond_its_field_is_no_fit);
+    RUN_TEST(test_rig_with_the_least_shift_is_refused);
+    RUN_TEST(test_score_entropy_of_many_frames_does_not_overflow);
+    RUN_TEST(test_score_blind_with_impossible_speckles_stays_a_cost);
+    RUN_TEST(test_score_labels_of_the_farthest_truth);
+    return UNITY_END();
+}
