@@ -8,6 +8,7 @@ The target is composited into the scene, marks are found by the detector, truth 
 outside the target, which the loop never sees. None of the scenes had a part in the presets (tools/study/presets). `full` is ncg on the scene's own truth (150 evaluations)."""
 import argparse
 import json
+import math
 import os
 import subprocess
 import sys
@@ -55,6 +56,23 @@ def table(rows):
     print("evaluations:", ", ".join(f"{rule} {mean(r[rule]['evaluations'] for r in rows):.1f} (most {max(r[rule]['evaluations'] for r in rows)})" for rule in RULES))
 
 
+def margins(rows):
+    """What another margin for tuned sets would adopt: `none` tunes from the pick and adopts always; where its pick is that of the default
+    rule, its judgement and its rest tell what any margin would have made of it."""
+    same = [r["none"]["preset"] == r["pick"]["preset"] for r in rows]
+    gain = [r["pick"]["judge"][1] - r["none"]["judge"][1] for r in rows]
+    sigma = [100 * math.sqrt(max(r["pick"]["judge"][1] / 100 * (1 - r["pick"]["judge"][1] / 100), 0) * 100 / max(r["pixels"], 1)) for r in rows]
+    use, full = mean(r["in_use"] for r in rows), mean(r["full"]["bad"] for r in rows)
+    print(f"\ntuned sets by other margins ({sum(same)} of {len(rows)} trials start from the same pick)")
+    for name, points, sigmas in (("none is adopted", 1e9, 0), ("all are", -1e9, 0), ("not worse", 0, 0), ("1 point", 1, 0), ("2 points", 2, 0),
+                                 ("1 sigma", 0, 1), ("2 sigma", 0, 2), ("2 points and 3 sigma", 2, 3)):
+        taken = [s and g >= points and g >= sigmas * d for s, g, d in zip(same, gain, sigma)]
+        bad = [r["none" if t else "pick"]["bad"] for r, t in zip(rows, taken)]
+        change = [r["none"]["bad"] - r["pick"]["bad"] for r, t in zip(rows, taken) if t]
+        print(f"{name:22s} {mean(bad):6.2f} {100 * (use - mean(bad)) / (use - full):4.0f}%  adopted {sum(taken):2d}: better by > .5 point "
+              f"{sum(c < -.5 for c in change):2d}, worse by > .5 point {sum(c > .5 for c in change):2d}")
+
+
 def main():
     args = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     args.add_argument("--program", default="build/calib-trial")
@@ -65,7 +83,10 @@ def main():
     args.add_argument("--again", help="print the table of a JSON file")
     args = args.parse_args()
     if args.again:
-        table(json.load(open(args.again)))
+        rows = json.load(open(args.again))
+        table(rows)
+        if all("full" in r for r in rows):
+            margins(rows)
         return
     meta = {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json"))) if "path" in s}
     rows = []
@@ -78,6 +99,8 @@ def main():
         if args.json:
             json.dump(rows, open(args.json, "w"))
     table(rows)
+    if all("full" in r for r in rows):
+        margins(rows)
 
 
 if __name__ == "__main__":

@@ -23,6 +23,7 @@ typedef struct bench {
     void *work;
     size_t work_bytes;
     unsigned seed;
+    int judge_pixels; /* of truth on the other pose */
 } bench;
 
 static size_t larger(size_t a, size_t b)
@@ -135,6 +136,7 @@ static stad_calib_report run(bench *b, int rule, int tunes, int ladder, stad_par
         }
     }
     *adopted = stad_calib_setup(&c)->params;
+    b->judge_pixels = stad_truth_pixels(&c.pose[1].truth);
     return *stad_calib_report_of(&c);
 }
 
@@ -233,6 +235,6 @@ int main(int argc, char **argv)
     try_rule(&b, "pick", STAD_RULE_DEFAULT, 0);
     if (argc > 8 && atoi(argv[8]) > 0)
         try_full(&b, atoi(argv[8]));
-    printf("\"in_use\": %.4f}\n", rest_bad(&b, &b.start.params));
+    printf("\"pixels\": %d, \"in_use\": %.4f}\n", b.judge_pixels, rest_bad(&b, &b.start.params));
     return TOOL_OK;
 }
