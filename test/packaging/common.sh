@@ -53,7 +53,7 @@ venv_with() {
 copy_source() {
     mkdir -p "$1"
     if git -C "$source_dir" rev-parse HEAD >/dev/null 2>&1; then
-        (cd "$source_dir" && git ls-files -z --cached --others --exclude-standard | xargs -0 ls -d 2>/dev/null | tar -c -T -) | tar -x -C "$1"
+        (cd "$source_dir" && git ls-files -z --cached --others --exclude-standard | { xargs -0 ls -d 2>/dev/null || true; } | tar -c -T -) | tar -x -C "$1"
     else
         cp -r "$source_dir/." "$1"
     fi

@@ -10,6 +10,7 @@ import threading
 import unittest
 from pathlib import Path
 
+from PIL import Image
 from stadimeter import study
 
 from scenes import main, stad
@@ -28,6 +29,9 @@ class Fleet(unittest.TestCase):
             names.append({"left": f"{i}/left.png", "right": f"{i}/right.png", "truth": f"{i}/disp.pfm", "num_disparities": 32})
             if i % 2:
                 names[-1]["mask"] = f"{i}/nonocc.png"
+        with Image.open(cls.path / "1/nonocc.png") as mask:  # 128 is hidden as 0 is
+            grey = mask.point(lambda v: 128 if v == 0 else v)
+        grey.save(cls.path / "1/nonocc.png")
         cls.list = cls.path / "scenes.json"
         cls.list.write_text(json.dumps(names))
 
