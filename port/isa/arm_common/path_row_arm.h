@@ -6,78 +6,27 @@
  * Bounds: costs, fences and p1 are at most 32767, so no unsigned sum wraps; delta is at most 32767 (path_row.c). Every L is
  * >= 0, so S may be summed in any order before it saturates. */
 
+#include "../common/lane_track.h"
+
 enum total_use { TOTAL_NONE, TOTAL_FRESH, TOTAL_ADD };
 
 #define ALWAYS_INLINE static inline __attribute__((always_inline))
 
 /* What a run needs of its job, in registers: stores through vectors might alias the job itself. */
 typedef struct run {
-    int32_t p1, p2;
-    ptrdiff_t skip, to_next; /* cells from a pixel's end to the next one: in a lane, in block and total */
-    int32_t groups;          /* of 32 disparities, or of 8 */
+    int32_t p1, p2, groups; /* of 32 disparities, or of 8 */
+    ptrdiff_t stride, to_next; /* to_next: cells from a pixel's end to the next one, in block and total */
 } run;
-
-/* Where a lane stands in a stretch of pixels in which its ring does not turn: the cells read and written, the least costs of
- * their slots. A lane of two slots (`turns`) exchanges them at every pixel and has its least costs at hand. */
-typedef struct track {
-    const int16_t *from, *least_from;
-    int16_t *to, *least_to;
-    int32_t least, least_before;
-} track;
 
 /* One pixel of a lane: m + p2 in all lanes, and the least cost so far. */
 typedef struct state {
     vec delta, least;
 } state;
 
-/* Finds the lane's place; shortens the stretch to where the ring turns. */
-ALWAYS_INLINE void place(track *t, const stad_path_job *job, const stad_lane *lane, int turns, int32_t *stretch)
-{
-    const int32_t to = lane->write, from = to + 1 == lane->slots ? 0 : to + 1, left = lane->slots - (from > to ? from : to);
-    t->from = lane->cost + (ptrdiff_t)from * job->stride;
-    t->to = lane->cost + (ptrdiff_t)to * job->stride;
-    t->least_from = lane->least + from;
-    t->least_to = lane->least + to;
-    t->least = t->least_before = *t->least_from;
-    if (!turns && left < *stretch)
-        *stretch = left;
-}
-
-/* Leaves the lane `stretch` pixels further. */
-ALWAYS_INLINE void leave(const track *t, stad_lane *lane, int turns, int32_t stretch)
-{
-    if (turns) {
-        lane->write ^= stretch & 1;
-        lane->least[lane->write] = (int16_t)t->least_before;
-        lane->least[1 - lane->write] = (int16_t)t->least;
-    } else {
-        lane->write += stretch;
-        if (lane->write == lane->slots)
-            lane->write = 0;
-    }
-}
-
 ALWAYS_INLINE void enter_pixel(state *s, const track *t, int turns, int32_t p2)
 {
-    s->delta = vec_set((turns ? t->least : *t->least_from) + p2);
+    s->delta = vec_set(track_least(t, turns) + p2);
     s->least = vec_set(STAD_COST_MAX);
-}
-
-ALWAYS_INLINE void leave_pixel(const state *s, track *t, int turns, const run *r, ptrdiff_t n)
-{
-    const int32_t least = vec_least(s->least);
-    if (turns) {
-        const int16_t *read = t->from - n;
-        t->from = t->to - n;
-        t->to = (int16_t *)read;
-        t->least_before = t->least;
-        t->least = least;
-    } else {
-        *t->least_to++ = (int16_t)least;
-        t->least_from++;
-        t->from += r->skip;
-        t->to += r->skip;
-    }
 }
 
 /* Eight disparities of a lane, the d-th and on. */
@@ -128,7 +77,7 @@ ALWAYS_INLINE void pixel(const run *r, const int16_t **block, int16_t **total, t
     }
 #pragma GCC unroll 4
     for (int k = 0; k < count; k++)
-        leave_pixel(&s[k], &t[k], turns && k == 0, r, (ptrdiff_t)groups * size);
+        track_next(&t[k], turns && k == 0, vec_least(s[k].least), (ptrdiff_t)groups * size, r->stride);
     *block += r->to_next;
     *total += use == TOTAL_NONE ? 0 : r->to_next;
 }
@@ -138,7 +87,7 @@ ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count,
                           enum total_use use)
 {
     const int32_t n = groups > 0 ? groups * size : job->disparities;
-    const run r = {job->p1, job->p2, job->stride - n, ((ptrdiff_t)job->step - 1) * n, n / size};
+    const run r = {job->p1, job->p2, n / size, job->stride, ((ptrdiff_t)job->step - 1) * n};
     const int16_t *block = job->block;
     int16_t *total = job->total;
     track t[VEC_ABREAST];
@@ -146,13 +95,13 @@ ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count,
         int32_t stretch = left;
 #pragma GCC unroll 4
         for (int k = 0; k < count; k++)
-            place(&t[k], job, &lanes[k], turns && k == 0, &stretch);
+            track_enter(&t[k], job, &lanes[k], turns && k == 0, &stretch);
         left -= stretch;
         for (int32_t i = stretch; i > 0; i--)
             pixel(&r, &block, &total, t, count, turns, groups > 0 ? groups : r.groups, size, use);
 #pragma GCC unroll 4
         for (int k = 0; k < count; k++)
-            leave(&t[k], &lanes[k], turns && k == 0, stretch);
+            track_leave(&t[k], &lanes[k], turns && k == 0, stretch);
     }
 }
 

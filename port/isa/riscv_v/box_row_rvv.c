@@ -52,32 +52,38 @@ static inline ptrdiff_t to_next(const stad_slide_job *job, int32_t x)
     return x >= 0 && x < job->columns - 1 ? job->disparities : 0;
 }
 
-/* vl disparities of the whole run, the running sum in registers. */
-static void slide_strip(const stad_slide_job *job, size_t at, size_t vl, int16_t *to)
+/* A strip of the whole run from disparity `at` on, the running sums in registers. `inside`: no column repeats. */
+static inline __attribute__((always_inline)) void slide_strip(const stad_slide_job *job, size_t at, size_t vl, int inside,
+                                                              int16_t *to)
 {
-    const int32_t r = job->radius;
+    const ptrdiff_t n = job->disparities;
+    const int32_t r = job->radius, last = job->columns - 1;
     const int16_t *in = sum_column(job, job->x - r) + at, *out = in;
     vint16m8_t run = __riscv_vmv_v_x_i16m8((int16_t)job->p2, vl);
     for (int32_t x = job->x - r; x <= job->x + r; x++) {
         run = __riscv_vadd_vv_i16m8(run, __riscv_vle16_v_i16m8(in, vl), vl);
-        in += to_next(job, x);
+        in += inside ? n : to_next(job, x);
     }
     __riscv_vse16_v_i16m8(to, run, vl);
     for (int32_t i = job->count - 1, x = job->x; i > 0; i--, x++) {
         run = __riscv_vadd_vv_i16m8(run, __riscv_vle16_v_i16m8(in, vl), vl);
         run = __riscv_vsub_vv_i16m8(run, __riscv_vle16_v_i16m8(out, vl), vl);
-        to += job->disparities;
+        to += n;
         __riscv_vse16_v_i16m8(to, run, vl);
-        in += to_next(job, x + r + 1);
-        out += to_next(job, x - r);
+        in += inside || x + r + 1 < last ? n : 0;
+        out += inside || x >= r ? n : 0;
     }
 }
 
 void stad_slide_row_rvv(const stad_slide_job *job, int16_t *block)
 {
     const size_t n = (size_t)job->disparities;
+    const int inside = job->x >= job->radius && job->x + job->count + job->radius <= job->columns;
     for (size_t at = 0, vl; at < n; at += vl) {
         vl = __riscv_vsetvl_e16m8(n - at);
-        slide_strip(job, at, vl, block + at);
+        if (inside)
+            slide_strip(job, at, vl, 1, block + at);
+        else
+            slide_strip(job, at, vl, 0, block + at);
     }
 }

@@ -9,18 +9,16 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* A left sample and its range, and where the right row's samples begin. */
+/* A left sample of a plane and the right row from the column that disparity 0 meets; lows and highs a width further each. */
 typedef struct plane_pair {
-    uint8_t value, low, high;
-    const uint8_t *right;
+    const uint8_t *left, *right;
     ptrdiff_t width;
 } plane_pair;
 
 INLINE plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_t x)
 {
     const ptrdiff_t width = job->width;
-    const uint8_t *left = job->left + plane * 3 * width + x;
-    plane_pair p = {left[0], left[width], left[2 * width],
+    plane_pair p = {job->left + plane * 3 * width + x,
                     job->right + plane * 3 * width + (width - 1 - x + job->min_disparity), width};
     return p;
 }
@@ -33,30 +31,39 @@ INLINE vuint8m2_t floor_below(uint8_t u, vuint8m2_t v, size_t vl)
 
 INLINE vuint8m2_t distance(const plane_pair *p, size_t at, size_t vl)
 {
-    const uint8_t *right = p->right + at;
+    const uint8_t *right = p->right + at, here = p->left[0], here_low = p->left[p->width], here_high = p->left[2 * p->width];
     const vuint8m2_t value = __riscv_vle8_v_u8m2(right, vl), low = __riscv_vle8_v_u8m2(right + p->width, vl);
     const vuint8m2_t high = __riscv_vle8_v_u8m2(right + 2 * p->width, vl);
-    const vuint8m2_t to_right =
-        __riscv_vor_vv_u8m2(floor_below(p->value, high, vl), __riscv_vssubu_vx_u8m2(low, p->value, vl), vl);
+    const vuint8m2_t to_right = __riscv_vor_vv_u8m2(floor_below(here, high, vl), __riscv_vssubu_vx_u8m2(low, here, vl), vl);
     const vuint8m2_t to_left =
-        __riscv_vor_vv_u8m2(__riscv_vssubu_vx_u8m2(value, p->high, vl), floor_below(p->low, value, vl), vl);
+        __riscv_vor_vv_u8m2(__riscv_vssubu_vx_u8m2(value, here_high, vl), floor_below(here_low, value, vl), vl);
     return __riscv_vminu_vv_u8m2(to_right, to_left, vl);
+}
+
+/* A strip of the whole run, from disparity `at` on. */
+INLINE void run_strip(const stad_cost_job *job, size_t at, size_t vl, uint8_t *cost)
+{
+    plane_pair gradient = pair_at(job, 0, job->x), intensity = pair_at(job, 1, job->x);
+    const ptrdiff_t n = job->disparities;
+    for (int32_t i = job->count; i > 0; i--, cost += n) {
+        const vuint8m2_t quarter = __riscv_vsrl_vx_u8m2(distance(&intensity, at, vl), 2, vl);
+        __riscv_vse8_v_u8m2(cost, __riscv_vadd_vv_u8m2(distance(&gradient, at, vl), quarter, vl), vl);
+        gradient.left++;
+        gradient.right--;
+        intensity.left++;
+        intensity.right--;
+    }
 }
 
 void stad_cost_row_u8_rvv(const stad_cost_job *job, uint8_t *cost)
 {
     const size_t n = (size_t)job->disparities;
-    size_t vl;
     if (job->channels != 1) {
         stad_cost_row_u8_c(job, cost);
         return;
     }
-    for (int32_t i = 0; i < job->count; i++, cost += n) {
-        const plane_pair gradient = pair_at(job, 0, job->x + i), intensity = pair_at(job, 1, job->x + i);
-        for (size_t at = 0; at < n; at += vl) {
-            vl = __riscv_vsetvl_e8m2(n - at);
-            const vuint8m2_t quarter = __riscv_vsrl_vx_u8m2(distance(&intensity, at, vl), 2, vl);
-            __riscv_vse8_v_u8m2(cost + at, __riscv_vadd_vv_u8m2(distance(&gradient, at, vl), quarter, vl), vl);
-        }
+    for (size_t at = 0, vl; at < n; at += vl) {
+        vl = __riscv_vsetvl_e8m2(n - at);
+        run_strip(job, at, vl, cost + at);
     }
 }

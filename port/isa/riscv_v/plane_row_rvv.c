@@ -1,11 +1,39 @@
 /* SPDX-License-Identifier: MIT
- * prefilter -> [RANGE] -> cost; check -> [MEDIAN] -> disparity
- * port/isa/riscv_v/plane_row_rvv.c - half-sample ranges and the 3x3 median; borders are left to C. */
+ * pixels -> [PREFILTER] -> [RANGE] -> cost; check -> [MEDIAN] -> disparity
+ * port/isa/riscv_v/plane_row_rvv.c - prefilter, half-sample ranges and the 3x3 median; borders are left to C. */
 #include <riscv_vector.h>
 
 #include "kernel/kernel.h"
 
 #define INLINE static inline __attribute__((always_inline))
+
+/* The difference of the pixels at both sides. */
+INLINE vint16m4_t slope(const uint8_t *row, size_t vl)
+{
+    return __riscv_vreinterpret_v_u16m4_i16m4(
+        __riscv_vwsubu_vv_u16m4(__riscv_vle8_v_u8m2(row + 1, vl), __riscv_vle8_v_u8m2(row - 1, vl), vl));
+}
+
+void stad_prefilter_row_rvv(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width,
+                            int32_t channels, int32_t cap, uint8_t *planes)
+{
+    uint8_t *gradient = planes, *intensity = planes + width;
+    if (channels != 1 || width < 3) {
+        stad_prefilter_row_c(above, row, below, width, channels, cap, planes);
+        return;
+    }
+    for (size_t x = 1, end = (size_t)width - 1, vl; x < end; x += vl) {
+        vl = __riscv_vsetvl_e8m2(end - x);
+        const vint16m4_t mid = slope(row + x, vl), rim = __riscv_vadd_vv_i16m4(slope(above + x, vl), slope(below + x, vl), vl);
+        const vint16m4_t sum = __riscv_vadd_vv_i16m4(__riscv_vadd_vv_i16m4(mid, mid, vl), rim, vl); /* within +-1020 */
+        const vint16m4_t bound = __riscv_vmin_vx_i16m4(__riscv_vmax_vx_i16m4(sum, (int16_t)-cap, vl), (int16_t)cap, vl);
+        const vint16m4_t shifted = __riscv_vadd_vx_i16m4(bound, (int16_t)cap, vl);
+        /* modulo 256, as the specification has it */
+        __riscv_vse8_v_u8m2(gradient + x, __riscv_vncvt_x_x_w_u8m2(__riscv_vreinterpret_v_i16m4_u16m4(shifted), vl), vl);
+        __riscv_vse8_v_u8m2(intensity + x, __riscv_vle8_v_u8m2(row + x, vl), vl);
+    }
+    gradient[0] = gradient[width - 1] = intensity[0] = intensity[width - 1] = (uint8_t)(cap & 0xFF);
+}
 
 /* The border column `x` of three, by C. */
 static void range_edge(const uint8_t *three, int32_t x, int32_t to, ptrdiff_t width, uint8_t *out)
