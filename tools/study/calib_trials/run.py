@@ -45,6 +45,8 @@ def table(rows):
     print(f"{'':10s} {'in use':>7s} {'full':>7s}" + "".join(f" | {rule:>8s} {'gain':>6s} {'>.5':>4s} {'worst':>6s}" for rule in RULES))
     for kind in KINDS + ("all",):
         part = [r for r in rows if kind in ("all", r["kind"])]
+        if not part:
+            continue
         use = mean(r["in_use"] for r in part)
         full = mean(r["full"]["bad"] for r in part) if with_full else float("nan")
         line = f"{kind:10s} {use:7.2f} {full:7.2f}"
