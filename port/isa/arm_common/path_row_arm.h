@@ -18,55 +18,58 @@ typedef struct run {
     ptrdiff_t stride, to_next; /* to_next: cells from a pixel's end to the next one, in block and total */
 } run;
 
-/* One pixel of a lane: m + p2 in all lanes, and the least cost so far. */
+/* One pixel of a lane: m + p2, and the least cost so far. */
 typedef struct state {
-    vec delta, least;
+    vec_limit delta;
+    vec least;
 } state;
 
 ALWAYS_INLINE void enter_pixel(state *s, const track *t, int turns, int32_t p2)
 {
-    s->delta = vec_set(track_least(t, turns) + p2);
+    s->delta = vec_limit_of(track_least(t, turns) + p2);
     s->least = vec_set(STAD_COST_MAX);
 }
 
-/* Eight disparities of a lane, the d-th and on. */
-ALWAYS_INLINE vec step(state *s, const track *t, int32_t d, vec block, int32_t p1)
+/* Eight disparities of a lane, the d-th and on; `first`: of its pixel. */
+ALWAYS_INLINE vec step(state *s, const track *t, int32_t d, int first, vec cost, int32_t p1)
 {
     const vec side = vec_add_scalar(vec_min_u16(vec_load(t->from + d - 1), vec_load(t->from + d + 1)), p1);
     const vec reach = vec_min_u16(vec_load(t->from + d), side);
-    const vec path = vec_sub(block, vec_sub_floor(s->delta, reach));
+    const vec path = vec_path(cost, reach, s->delta);
     vec_store(t->to + d, path);
-    s->least = vec_min_u16(s->least, path);
+    s->least = first ? path : vec_min_u16(s->least, path);
     return path;
 }
 
 /* Eight disparities of all lanes. */
-ALWAYS_INLINE void eight(state *s, const track *t, int32_t d, const int16_t *block, int16_t *total, int32_t p1, int count,
-                         enum total_use use)
+ALWAYS_INLINE void eight(state *s, const track *t, int32_t d, int first, const int16_t *block, int16_t *total, int32_t p1,
+                         int count, enum total_use use)
 {
-    const vec cost = vec_load(block + d);
-    vec sum = step(&s[0], &t[0], d, cost, p1);
+    const vec cost = vec_path_block(vec_load(block + d));
+    vec sum = step(&s[0], &t[0], d, first, cost, p1);
 #pragma GCC unroll 4
     for (int k = 1; k < count; k++)
-        sum = vec_add_sat(sum, step(&s[k], &t[k], d, cost, p1));
+        sum = vec_add_sat(sum, step(&s[k], &t[k], d, first, cost, p1));
     if (use == TOTAL_ADD)
         sum = vec_add_sat(sum, vec_load(total + d));
     if (use != TOTAL_NONE)
         vec_store(total + d, sum);
+    VEC_IN_ORDER;
 }
 
-/* One pixel of `count` lanes: `groups` times `size` disparities. All but r, t and the pointers are constants. */
-ALWAYS_INLINE void pixel(const run *r, const int16_t **block, int16_t **total, track *t, int count, int turns, int32_t groups,
-                         int32_t size, enum total_use use)
+/* One pixel of `count` lanes: `groups` times `size` disparities, or `size` only. All but r, t, groups and the pointers are
+ * constants. */
+ALWAYS_INLINE void pixel(const run *r, const int16_t **block, int16_t **total, track *t, int count, int turns, int only,
+                         int32_t groups, int32_t size, enum total_use use)
 {
     state s[VEC_ABREAST];
 #pragma GCC unroll 4
     for (int k = 0; k < count; k++)
         enter_pixel(&s[k], &t[k], turns && k == 0, r->p2);
-    for (int32_t i = groups; i > 0; i--) {
+    for (int32_t i = only ? 1 : groups; i > 0; i--) {
 #pragma GCC unroll 4
         for (int32_t d = 0; d < size; d += 8)
-            eight(s, t, d, *block, *total, r->p1, count, use);
+            eight(s, t, d, only && d == 0, *block, *total, r->p1, count, use);
         *block += size;
         *total += use == TOTAL_NONE ? 0 : size;
 #pragma GCC unroll 4
@@ -77,16 +80,16 @@ ALWAYS_INLINE void pixel(const run *r, const int16_t **block, int16_t **total, t
     }
 #pragma GCC unroll 4
     for (int k = 0; k < count; k++)
-        track_next(&t[k], turns && k == 0, vec_least(s[k].least), (ptrdiff_t)groups * size, r->stride);
+        track_next(&t[k], turns && k == 0, vec_least(s[k].least), only ? size : (ptrdiff_t)groups * size, r->stride);
     *block += r->to_next;
     *total += use == TOTAL_NONE ? 0 : r->to_next;
 }
 
-/* The whole run of `count` <= VEC_ABREAST lanes, the first of two slots if it `turns`. groups: a constant, or 0. */
-ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count, int turns, int32_t groups, int32_t size,
+/* The whole run of `count` <= VEC_ABREAST lanes, the first of two slots if it `turns`; `only` `size` disparities. */
+ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count, int turns, int only, int32_t size,
                           enum total_use use)
 {
-    const int32_t n = groups > 0 ? groups * size : job->disparities;
+    const int32_t n = only ? size : job->disparities;
     const run r = {job->p1, job->p2, n / size, job->stride, ((ptrdiff_t)job->step - 1) * n};
     const int16_t *block = job->block;
     int16_t *total = job->total;
@@ -98,7 +101,7 @@ ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count,
             track_enter(&t[k], job, &lanes[k], turns && k == 0, &stretch);
         left -= stretch;
         for (int32_t i = stretch; i > 0; i--)
-            pixel(&r, &block, &total, t, count, turns, groups > 0 ? groups : r.groups, size, use);
+            pixel(&r, &block, &total, t, count, turns, only, r.groups, size, use);
 #pragma GCC unroll 4
         for (int k = 0; k < count; k++)
             track_leave(&t[k], &lanes[k], turns && k == 0, stretch);
@@ -106,10 +109,10 @@ ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count,
 }
 
 /* Each form is a function of its own: compilers allot registers by function. */
-#define FORM(name, count, turns, groups, size, use) \
+#define FORM(name, count, turns, only, size, use) \
     static __attribute__((noinline)) void name(const stad_path_job *job, stad_lane *lanes) \
     { \
-        run_of(job, lanes, count, turns, groups, size, use); \
+        run_of(job, lanes, count, turns, only, size, use); \
     }
 
 /* Functions <name>_<use>: exactly 32 disparities, a multiple of 32, a multiple of 8. */

@@ -11,6 +11,9 @@
 #define STAD_TIER(name) name##_mve
 #define VEC_ABREAST     2 /* lanes of the path kernel that 8 registers hold */
 
+/* Keeps the compiler from mixing groups of 8: it would run out of its 8 vector registers. */
+#define VEC_IN_ORDER __asm__ volatile("" ::: "memory")
+
 typedef int16x8_t vec;
 
 /* Addresses must be aligned to the lane: bytes have verbs of their own. */
@@ -54,6 +57,12 @@ static inline void vec_store(void *p, vec v)
 #define vec_sub_floor_u8(a, b)        VEC_OF_U8(vqsubq_u8(VEC_U8(a), VEC_U8(b)))
 #define vec_sub_floor_scalar_u8(a, v) VEC_OF_U8(vqsubq_n_u8(VEC_U8(a), v))
 #define vec_shift_right_u8(a, n)      VEC_OF_U8(vshrq_n_u8(VEC_U8(a), n))
+
+/* The end of the path recurrence: C - floor(limit - reach). */
+typedef vec vec_limit;
+#define vec_limit_of(v)              vec_set(v)
+#define vec_path_block(cost)         (cost)
+#define vec_path(cost, reach, limit) vec_sub(cost, vec_sub_floor(limit, reach))
 
 static inline uint16_t vec_least(vec v)
 {

@@ -8,6 +8,8 @@
 
 #define STAD_TIER(name) name##_neon
 
+#define VEC_IN_ORDER /* of 8 disparities after 8: registers suffice for any order */
+
 typedef int16x8_t vec;
 
 #if defined(__aarch64__)
@@ -80,6 +82,12 @@ static inline void vec_store(void *p, vec v)
 #define vec_sub_floor_u8(a, b)        VEC_OF_U8(vqsubq_u8(VEC_U8(a), VEC_U8(b)))
 #define vec_sub_floor_scalar_u8(a, v) vec_sub_floor_u8(a, vec_set_u8(v))
 #define vec_shift_right_u8(a, n)      VEC_OF_U8(vshrq_n_u8(VEC_U8(a), n))
+
+/* The end of the path recurrence: C - floor(limit - reach). */
+typedef vec vec_limit;
+#define vec_limit_of(v)              vec_set(v)
+#define vec_path_block(cost)         (cost)
+#define vec_path(cost, reach, limit) vec_sub(cost, vec_sub_floor(limit, reach))
 
 /* 0, 1, ... 7. */
 static inline vec vec_count(void)
