@@ -123,7 +123,8 @@ static void test_tune_copy_goes_on_alike(void)
 {
     static stad_tune copy;
     stad_point x, y;
-    for (int cut = 0; cut < 60; cut += 7) {
+    config.budget = 150;
+    for (int cut = 0; cut < 150; cut += 7) {
         stad_tune_init(&tune, &config, &sample_start);
         for (int i = 0; i < cut && stad_tune_ask(&tune, &x) == 1; i++)
             stad_tune_tell(&tune, bowl(&x));
@@ -137,6 +138,31 @@ static void test_tune_copy_goes_on_alike(void)
         TEST_ASSERT_EQUAL_INT(0, stad_tune_ask(&copy, &y));
         TEST_ASSERT_EQUAL_MEMORY(&tune, &copy, sizeof tune);
     }
+}
+
+/* The seed of ncg serves the crosses alone: up to them two searches are alike, then they part and both gain. */
+static void test_tune_crosses_spend_the_budget_and_gain(void)
+{
+    static stad_tune other;
+    stad_point x, y;
+    int32_t cost, other_cost, least = INT32_MAX;
+    int same = 0;
+    config.budget = STAD_TUNE_LOG;
+    config.seed = 1;
+    TEST_ASSERT_EQUAL_INT(STAD_TUNE_LOG, run_search(&tune, &config, &sample_start, bowl));
+    config.seed = 2;
+    TEST_ASSERT_EQUAL_INT(STAD_TUNE_LOG, run_search(&other, &config, &sample_start, bowl));
+    for (; same < STAD_TUNE_LOG; same++) {
+        stad_tune_trace(&tune, same, &x, &cost);
+        stad_tune_trace(&other, same, &y, &other_cost);
+        if (memcmp(&x, &y, sizeof x) != 0)
+            break;
+        least = cost < least ? cost : least;
+    }
+    TEST_ASSERT_GREATER_THAN_INT(30, same);
+    TEST_ASSERT_LESS_THAN_INT(STAD_TUNE_LOG, same);
+    TEST_ASSERT_LESS_THAN_INT32(least, best_cost(&tune));
+    TEST_ASSERT_LESS_THAN_INT32(least, best_cost(&other));
 }
 
 static void test_tune_single_method_equals_chosen(void)
@@ -182,6 +208,7 @@ int main(void)
     RUN_TEST(test_tune_pair_keeps_p2_above_p1);
     RUN_TEST(test_tune_ladder_is_scored_first_and_counts);
     RUN_TEST(test_tune_copy_goes_on_alike);
+    RUN_TEST(test_tune_crosses_spend_the_budget_and_gain);
     RUN_TEST(test_tune_single_method_equals_chosen);
     RUN_TEST(test_tune_counters_tell_memo_hits);
     RUN_TEST(test_tune_best_is_least_of_trace);

@@ -22,6 +22,8 @@ crossed=
 run "x86 or host -O0" "" "${CC:-cc}" "-O0"
 run "x86 or host -O3" "" "${CC:-cc}" "-O3"
 run "clang -O2" "" clang-19 "-O2"
-run "AArch64 -O2" qemu-aarch64 aarch64-linux-gnu-gcc "-O2 -static"
-run "PowerPC big-endian -O2" qemu-ppc powerpc-linux-gnu-gcc "-O2 -static"
+for level in -O0 -O3; do
+    run "AArch64 $level" qemu-aarch64 aarch64-linux-gnu-gcc "$level -static"
+    run "PowerPC big-endian $level" qemu-ppc powerpc-linux-gnu-gcc "$level -static"
+done
 [ -n "$crossed" ] || { echo "SKIPPED: no foreign core could be run"; exit 77; }

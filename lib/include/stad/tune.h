@@ -83,7 +83,7 @@ typedef struct stad_tune_config {
     uint8_t ladder_count; /* 0..STAD_TUNE_LADDER */
     int16_t budget;       /* distinct evaluations, 1..STAD_TUNE_LOG */
     int16_t patience;     /* 0: use the whole budget; 1: stop when the first descent has converged */
-    uint32_t seed;        /* of the random search of STAD_TUNE_HYBRID */
+    uint32_t seed;        /* of the draws of HYBRID, and of the crosses that end NCG and HYBRID */
     stad_tune_axis axis[STAD_TUNE_DIMS]; /* by enum stad_tune_dim */
     stad_point ladder[STAD_TUNE_LADDER]; /* further points to start from; they are scored first and count */
 } stad_tune_config;

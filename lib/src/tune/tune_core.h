@@ -41,4 +41,7 @@ int32_t stad_tune_room(const stad_tune *t, const tune_vars *v, int i, int side);
 
 int stad_tune_same(const stad_point *a, const stad_point *b);
 
+/* The log entry that holds x, or -1. */
+int stad_tune_find(const stad_tune *t, const stad_point *x);
+
 #endif

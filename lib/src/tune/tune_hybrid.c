@@ -1,25 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * tune/tune_hybrid.c - a coarse random search, then the swept descent from the best it found. */
 #include "tune/tune_ncg.h"
-
-#include <string.h>
-
-/* xorshift32: the same numbers on every core. */
-static uint32_t next_random(uint32_t *state)
-{
-    uint32_t s = *state;
-    s ^= s << 13;
-    s ^= s >> 17;
-    s ^= s << 5;
-    return *state = s;
-}
-
-/* A number of lo..hi. */
-static int32_t between(uint32_t *state, int32_t lo, int32_t hi)
-{
-    const uint64_t span = (uint64_t)((int64_t)hi - lo) + 1;
-    return (int32_t)(lo + (int64_t)((next_random(state) * span) >> 32));
-}
+#include "tune/tune_random.h"
 
 /* A random point: continuous axes uniform in their variable, discrete ones among their values. */
 static void random_point(const stad_tune *t, uint32_t *state, stad_point *x)
@@ -33,7 +15,7 @@ static void random_point(const stad_tune *t, uint32_t *state, stad_point *x)
     stad_tune_to_vars(&t->config, &lo, &from);
     stad_tune_to_vars(&t->config, &hi, &to);
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        v.v[i] = between(state, from.v[i], to.v[i]);
+        v.v[i] = stad_tune_between(state, from.v[i], to.v[i]);
     stad_tune_to_point(t, &v, x);
 }
 

@@ -61,8 +61,8 @@ void stad_tune_core_rewind(stad_tune *t)
     t->counts.iterations = 0;
 }
 
-/* The entry that holds x, or -1. A rerun meets the points in the order of the log, so the cursor answers most. */
-static int find(const stad_tune *t, const stad_point *x)
+/* A rerun meets the points in the order of the log, so the cursor answers most. */
+int stad_tune_find(const stad_tune *t, const stad_point *x)
 {
     if (t->cursor < t->count && stad_tune_same(&t->point[t->cursor], x))
         return t->cursor;
@@ -77,7 +77,7 @@ int stad_tune_look(stad_tune *t, const stad_point *x, int32_t *cost)
 {
     if (t->best >= 0 && t->cost[t->best] == 0)
         return 0; /* nothing is better: finished */
-    const int i = find(t, x);
+    const int i = stad_tune_find(t, x);
     if (i >= 0) {
         t->counts.calls++;
         t->cursor = (int16_t)(i == t->cursor ? i + 1 : t->cursor);

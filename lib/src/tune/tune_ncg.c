@@ -3,16 +3,17 @@
  *
  * From the best of the start and its ladder: sweep the axes, each giving slope and curvature and moving at once; take one
  * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
- * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best of another block. */
+ * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best rung of another block;
+ * what is left of the budget goes to crosses of the best points. */
+#include "tune/tune_cross.h"
 #include "tune/tune_ncg.h"
 #include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
 
-#define REACH_FIRST  (3 * TUNE_ONE / 4)
-#define REACH_AGAIN  (TUNE_ONE / 2)
-#define REACH_LEAST  (TUNE_ONE / 8)
-#define REACH_FINEST (TUNE_ONE / 128)
-#define ITERATIONS   30
+#define REACH_FIRST (3 * TUNE_ONE / 4)
+#define REACH_AGAIN (TUNE_ONE / 2)
+#define REACH_LEAST (TUNE_ONE / 8)
+#define ITERATIONS  30
 
 /* The axes in the order that lets a matcher keep most of its work between probes. */
 static const uint8_t sweep_order[STAD_TUNE_DIMS] = {
@@ -62,7 +63,6 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
     tune_walk w;
     int32_t polled_at = -1;
     int moved, leapt;
-    const int32_t least = reach < REACH_AGAIN ? reach / 4 : REACH_LEAST;
     stad_tune_walk_from(t, &w, x, cost, reach);
     for (int k = 1; k <= ITERATIONS; k++) {
         const int32_t before = w.cost;
@@ -84,7 +84,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
         if (TUNE_FOLLOW && !stad_tune_follow(t, &w, &from))
             return 0;
         if ((int64_t)before - w.cost < before / 250) {
-            if (w.step <= least) {
+            if (w.step <= REACH_LEAST) {
                 if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
                     return 0;
                 if (!stad_tune_leap(t, &w, &leapt))
@@ -92,11 +92,11 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
                 if (!moved && !leapt)
                     return 1;
                 forget_curve(t, &w);
-                w.step = reach < REACH_AGAIN ? reach : REACH_AGAIN;
+                w.step = REACH_AGAIN;
                 polled_at = w.cost;
                 continue;
             }
-            w.step = w.step / 2 > least ? w.step / 2 : least;
+            w.step = w.step / 2 > REACH_LEAST ? w.step / 2 : REACH_LEAST;
             w.has_old = 0;
         }
         if (k % 4 == 0)
@@ -135,31 +135,7 @@ static int best_other(const stad_tune *t, int n, int block)
 
 static int descend_from(stad_tune *t, int entry, int32_t reach)
 {
-    const stad_point x = t->point[entry];
-    return descend(t, &x, t->cost[entry], reach);
-}
-
-/* Descends anew from the best point moved to the next block on either side, though that scores worse at first: the other
- * variables follow a block only after some steps. */
-static int branch(stad_tune *t)
-{
-    const int i = STAD_TUNE_BLOCK_SIZE;
-    const stad_tune_axis *a = &t->config.axis[i];
-    const stad_point from = t->point[t->lead];
-    for (int side = -1; side <= 1 && TUNE_POLLS; side += 2) {
-        stad_point x;
-        tune_vars v;
-        int32_t cost;
-        stad_tune_to_vars(&t->config, &from, &v);
-        v.v[i] += 2 * side;
-        if (!stad_tune_is_free(&t->config, i) || a->scale != STAD_TUNE_ODD || v.v[i] < a->lo ||
-            v.v[i] > a->hi)
-            continue;
-        stad_tune_to_point(t, &v, &x);
-        if (!stad_tune_look(t, &x, &cost) || !descend(t, &x, cost, REACH_FIRST))
-            return 0;
-    }
-    return 1;
+    return descend(t, &t->point[entry], t->cost[entry], reach);
 }
 
 void stad_tune_ncg_descents(stad_tune *t, int rungs)
@@ -171,12 +147,8 @@ void stad_tune_ncg_descents(stad_tune *t, int rungs)
     const int other = best_other(t, rungs, t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE]);
     if (other >= 0 && !descend_from(t, other, REACH_FIRST))
         return;
-    if (!descend_from(t, t->lead, REACH_AGAIN) || !branch(t) || !descend_from(t, t->lead, REACH_AGAIN))
-        return;
-    for (int32_t reach = REACH_LEAST; reach >= REACH_FINEST; reach /= 4) {
-        if (!descend_from(t, t->lead, reach))
-            return;
-    }
+    if (descend_from(t, t->lead, REACH_AGAIN))
+        stad_tune_cross(t);
 }
 
 int stad_tune_ncg_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)

@@ -16,7 +16,7 @@
 #    define TUNE_FOLLOW 1 /* going on along an iteration's way */
 #endif
 #ifndef TUNE_POLLS
-#    define TUNE_POLLS 1 /* polls of the discrete axes, and the branches */
+#    define TUNE_POLLS 1 /* polls of the discrete axes */
 #endif
 
 #endif
