@@ -3,9 +3,8 @@
 include(${CMAKE_CURRENT_LIST_DIR}/board.cmake)
 set(CMAKE_C_COMPILER ${BOARD_GCC}-gcc)
 set(CMAKE_ASM_COMPILER ${BOARD_GCC}-gcc)
-# Two warnings of gcc 12 stay warnings: on 32-bit cores it takes size_t * size_t for signed (lib/src/calib/evaluate.c) and
-# a private struct behind its opaque twin for an alias (match.c). Freestanding, so that gcc brings its own stdint.h; builtins stay, so that small copies need no call.
-set(CMAKE_C_FLAGS_INIT "${STAD_BOARD_C_FLAGS} -ffreestanding -fbuiltin -Wno-error=strict-aliasing -Wno-error=sign-conversion")
+# Freestanding, so that gcc brings its own stdint.h; builtins stay, so that small copies need no call.
+set(CMAKE_C_FLAGS_INIT "${STAD_BOARD_C_FLAGS} -ffreestanding -fbuiltin")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-nostdlib -static")
 set(CMAKE_C_STANDARD_LIBRARIES "-lgcc")
 if(BOARD_ISA STREQUAL riscv_v)

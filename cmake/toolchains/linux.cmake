@@ -8,7 +8,7 @@ string(REPLACE powerpc ppc STAD_LINUX_CORE "${STAD_LINUX_CORE}")
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR ${STAD_LINUX_CORE})
 set(CMAKE_C_COMPILER ${STAD_LINUX}-gcc)
-set(CMAKE_C_FLAGS_INIT "-Wno-error=strict-aliasing -Wno-error=sign-conversion")
+
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-${STAD_LINUX_CORE})
 if(STAD_LINUX_CORE STREQUAL arm)
