@@ -99,10 +99,10 @@ static inline int16_t sub_sat_i16(int16_t a, int16_t b)
     return sat_i16((int32_t)a - b);
 }
 
-/* n, a multiple of 16, in a form that tells the compiler so: a vectorised loop then has no remainder. */
-static inline int32_t whole_16(int32_t n)
+/* n, a multiple of 8, in a form that tells the compiler so: a vectorised loop then has no remainder, or one of 8. */
+static inline int32_t whole_8(int32_t n)
 {
-    return (int32_t)((uint32_t)n & ~(uint32_t)15);
+    return (int32_t)((uint32_t)n & ~(uint32_t)7);
 }
 
 /* v modulo n for n > 0, in [0, n) for negative v too. */

@@ -33,7 +33,8 @@ static inline uint8_t distance(const plane_pair *p, int32_t d)
 static inline void column_u8(const stad_cost_job *job, int32_t x, int32_t channel, int add, uint8_t *restrict cost)
 {
     const plane_pair gradient = pair_at(job, channel, x), intensity = pair_at(job, job->channels + channel, x);
-    for (int32_t d = 0; d < job->disparities; d++) {
+    const int32_t n = whole_8(job->disparities);
+    for (int32_t d = 0; d < n; d++) {
         const uint8_t here = (uint8_t)(distance(&gradient, d) + (distance(&intensity, d) >> 2));
         cost[d] = (uint8_t)(add ? cost[d] + here : here);
     }
@@ -42,7 +43,8 @@ static inline void column_u8(const stad_cost_job *job, int32_t x, int32_t channe
 static inline void column_u16(const stad_cost_job *job, int32_t x, int32_t channel, int add, uint16_t *restrict cost)
 {
     const plane_pair gradient = pair_at(job, channel, x), intensity = pair_at(job, job->channels + channel, x);
-    for (int32_t d = 0; d < job->disparities; d++) {
+    const int32_t n = whole_8(job->disparities);
+    for (int32_t d = 0; d < n; d++) {
         const uint16_t here = (uint16_t)(distance(&gradient, d) + (distance(&intensity, d) >> 2));
         cost[d] = (uint16_t)(add ? cost[d] + here : here);
     }

@@ -4,17 +4,38 @@
 #include "kernel/kernel.h"
 #include "base/arith.h"
 
+/* A sample between its neighbours, the ends beside themselves, to place `to` of the three runs of `out`. */
+static inline void put(const uint8_t *at, int32_t before, int32_t after, uint8_t *value, uint8_t *low, uint8_t *high)
+{
+    const uint8_t here = at[0];
+    const uint8_t left = (uint8_t)((here + at[before]) / 2), right = (uint8_t)((here + at[after]) / 2);
+    *value = here;
+    *low = min_u8(here, min_u8(left, right));
+    *high = max_u8(here, max_u8(left, right));
+}
+
+static void inside(const uint8_t *restrict plane, int32_t width, uint8_t *restrict value, uint8_t *restrict low,
+                   uint8_t *restrict high)
+{
+    for (int32_t x = 1; x < width - 1; x++)
+        put(plane + x, -1, 1, value + x, low + x, high + x);
+}
+
+static void inside_reverse(const uint8_t *restrict plane, int32_t width, uint8_t *restrict value, uint8_t *restrict low,
+                           uint8_t *restrict high)
+{
+    for (int32_t x = 1; x < width - 1; x++)
+        put(plane + (width - 1 - x), -1, 1, value + x, low + x, high + x);
+}
+
 void stad_range_row_c(const uint8_t *plane, int32_t width, int reverse, uint8_t *out)
 {
     uint8_t *value = out, *low = out + width, *high = out + 2 * (ptrdiff_t)width;
-    const int32_t first = reverse ? width - 1 : 0, step = reverse ? -1 : 1;
-    for (int32_t x = 0; x < width; x++) {
-        const int32_t here = plane[x];
-        const int32_t before = (here + plane[x > 0 ? x - 1 : x]) / 2;
-        const int32_t after = (here + plane[x < width - 1 ? x + 1 : x]) / 2;
-        const int32_t to = first + step * x;
-        value[to] = (uint8_t)here;
-        low[to] = (uint8_t)min_i32(here, min_i32(before, after));
-        high[to] = (uint8_t)max_i32(here, max_i32(before, after));
-    }
+    const int32_t last = width - 1, first_to = reverse ? last : 0, last_to = last - first_to;
+    if (reverse)
+        inside_reverse(plane, width, value, low, high);
+    else
+        inside(plane, width, value, low, high);
+    put(plane, 0, last > 0, value + first_to, low + first_to, high + first_to);
+    put(plane + last, last > 0 ? -1 : 0, 0, value + last_to, low + last_to, high + last_to);
 }

@@ -86,6 +86,7 @@ static inline __attribute__((always_inline)) void pixel(course *c, const int16_t
     const int32_t n = c->disparities;
     walker a = walk(c, &lanes[0], shifted), b = two ? walk(c, &lanes[1], 0) : a;
     reader from_a = read_from(&a), from_b = read_from(&b);
+#pragma GCC unroll 2 /* gcc by itself copies registers about at every turn */
     for (int32_t d = 0; d < n; d += VEC_LANES) {
         const vec cost = vec_load(block + d);
         vec sum = shifted || VEC_SHIFT_ALWAYS ? step_shifted(&a, &from_a, d, n, cost) : step_loaded(&a, d, cost);
