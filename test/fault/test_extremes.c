@@ -7,6 +7,7 @@
 #include "base/log.h"
 #include "stad/rig.h"
 #include "stad/score.h"
+#include "stad/tune.h"
 #include "unity.h"
 
 void setUp(void)
@@ -83,6 +84,24 @@ void test_score_labels_of_the_farthest_truth(void)
     TEST_ASSERT_EQUAL(STAD_LABEL_VISIBLE, label[3]);
 }
 
+/* Coordinates that are not free keep any value, 0 included; nothing may divide by them. */
+void test_tune_fixed_zero_on_a_power_axis(void)
+{
+    static stad_tune t;
+    stad_tune_config c;
+    stad_point x = {{40, 150, 3, 0, 21, 0}};
+    stad_tune_config_stereo(&c, STAD_TUNE_FOR_ANY);
+    c.free_mask = 31;
+    c.budget = STAD_TUNE_LOG;
+    TEST_ASSERT_EQUAL(STAD_OK, stad_tune_init(&t, &c, &x));
+    int turns = 0;
+    for (; stad_tune_ask(&t, &x) == 1; turns++) {
+        TEST_ASSERT_EQUAL(0, x.v[STAD_TUNE_DISP12_MAX_DIFF]);
+        stad_tune_tell(&t, 1000 + x.v[0] % 97 * 7 + x.v[1] % 89);
+    }
+    TEST_ASSERT_GREATER_THAN(100, turns);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -92,5 +111,6 @@ int main(void)
     RUN_TEST(test_score_entropy_of_many_frames_does_not_overflow);
     RUN_TEST(test_score_blind_with_impossible_speckles_stays_a_cost);
     RUN_TEST(test_score_labels_of_the_farthest_truth);
+    RUN_TEST(test_tune_fixed_zero_on_a_power_axis);
     return UNITY_END();
 }

@@ -18,7 +18,7 @@ static uint32_t dice = 1;
 
 static void render(int which, const target_pose *pose, int drifted)
 {
-    static target_scene scene;
+    static target_scene quads;
     static float grey[PIXELS];
     target_camera c;
     target_camera_default(&c, W, H);
@@ -26,10 +26,10 @@ static void render(int which, const target_pose *pose, int drifted)
     c.supersample = 2;
     c.drift_dy = drifted ? 1.5 : 0;
     camera = target_camera_fixed(&c);
-    target_scene_clear(&scene);
-    target_scene_add(&scene, stad_target_relief(), pose);
+    target_scene_clear(&quads);
+    target_scene_add(&quads, stad_target_relief(), pose);
     for (int view = 0; view < 2; view++) {
-        target_render(&scene, &c, view, NULL, grey, NULL);
+        target_render(&quads, &c, view, NULL, grey, NULL);
         target_quantise(grey, PIXELS, shots[which][view]);
     }
 }

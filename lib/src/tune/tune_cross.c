@@ -39,6 +39,8 @@ static int32_t held(int64_t v)
 /* Coordinate i of `base` moved by what leads from b to a. */
 static int32_t moved(const stad_tune *t, int i, const tune_vars *base, const tune_vars *a, const tune_vars *b)
 {
+    if (!stad_tune_is_free(&t->config, i))
+        return base->v[i]; /* of any value, 0 included */
     if (t->config.axis[i].scale == STAD_TUNE_POWER)
         return base->v[i] * a->v[i] / b->v[i]; /* up to 2^30: powers of two up to 2^14 */
     return held((int64_t)base->v[i] + a->v[i] - b->v[i]);
