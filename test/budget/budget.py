@@ -31,7 +31,7 @@ ONE_MODE = ["-Wl,--defsym=mode_3way_step=mode_sgbm_step", "-Wl,--defsym=mode_hh_
 STACK_LIMIT = 1023
 FRAME_LIMIT = 256  # a function of lib/
 CALLERS = {"read", "program", "erase"}  # stad_flash: their stack is the caller's
-FREESTANDING = {"memcpy", "memset", "memmove", "memcmp"}
+FREESTANDING = {"memcpy", "memset"}
 
 checks = []
 

@@ -10,6 +10,8 @@
 
 #include <string.h>
 
+#include "base/bytes.h"
+
 void stad_calib_config_default(stad_calib_config *c, const stad_geometry *geometry, const stad_target *target,
                                const stad_camera *camera)
 {
@@ -120,17 +122,12 @@ void stad_calib_cancel(stad_calib *c)
         stad_calib_finish(c, STAD_CALIB_CANCELLED);
 }
 
-static int same(const void *a, const void *b, size_t n)
-{
-    return memcmp(a, b, n) == 0;
-}
-
 /* How a run ends that lasts: by what differs from the set before it. */
 static int change_outcome(const stad_calib *c)
 {
-    if (!same(&c->active.params, &c->previous.params, sizeof c->active.params))
+    if (!bytes_equal(&c->active.params, &c->previous.params, sizeof c->active.params))
         return STAD_CALIB_ADOPTED;
-    return same(&c->active.rig, &c->previous.rig, sizeof c->active.rig) ? STAD_CALIB_KEPT
+    return bytes_equal(&c->active.rig, &c->previous.rig, sizeof c->active.rig) ? STAD_CALIB_KEPT
                                                                         : STAD_CALIB_CORRECTED;
 }
 

@@ -8,6 +8,8 @@
 
 #include <string.h>
 
+#include "base/bytes.h"
+
 #define MARKS 16
 
 /* What a frame's marks need while they are looked at; lies at the front of the caller's workspace. */
@@ -119,7 +121,7 @@ static int choose_correction(stad_calib *c, const stad_pair *pairs, int count)
 
 static int rig_is_new(const stad_calib *c)
 {
-    return memcmp(&c->candidate.rig, &c->active.rig, sizeof c->active.rig) != 0;
+    return !bytes_equal(&c->candidate.rig, &c->active.rig, sizeof c->active.rig);
 }
 
 /* -- truth ------------------------------------------------------------------------------------------------------- */

@@ -3,7 +3,7 @@
  * affords */
 #include "calib/calib_parts.h"
 
-#include <string.h>
+#include "base/bytes.h"
 
 stad_point stad_calib_point_of(const stad_params *params)
 {
@@ -31,7 +31,7 @@ stad_params stad_calib_params_at(const stad_params *base, const stad_point *poin
 
 int stad_calib_point_equal(const stad_point *a, const stad_point *b)
 {
-    return memcmp(a->v, b->v, sizeof a->v) == 0;
+    return bytes_equal(a->v, b->v, sizeof a->v);
 }
 
 int stad_calib_fits(const stad_geometry *g, const stad_params *params)

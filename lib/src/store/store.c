@@ -8,6 +8,8 @@
 
 #include <string.h>
 
+#include "base/bytes.h"
+
 enum slot_state { SLOT_BAD, SLOT_GOOD, SLOT_UNREADABLE };
 
 typedef struct slot_view {
@@ -105,7 +107,7 @@ static int write_slot(const stad_flash *f, int slot, const stad_setup *setup, ui
         return STAD_E_CORRUPT;
     if (f->read(f->user, offset, back, STAD_SETUP_BYTES) != 0)
         return STAD_E_CORRUPT;
-    return memcmp(record, back, STAD_SETUP_BYTES) == 0 ? slot : STAD_E_CORRUPT;
+    return bytes_equal(record, back, STAD_SETUP_BYTES) ? slot : STAD_E_CORRUPT;
 }
 
 /* With nothing good to lose, either slot will do, so a worn sector does not stop the first save. */

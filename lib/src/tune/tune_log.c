@@ -4,11 +4,13 @@
 
 #include <string.h>
 
+#include "base/bytes.h"
+
 enum { PHASE_NONE = 0, PHASE_ASKING = 1, PHASE_FINISHED = 2 };
 
 int stad_tune_same(const stad_point *a, const stad_point *b)
 {
-    return memcmp(a, b, sizeof *a) == 0;
+    return bytes_equal(a, b, sizeof *a);
 }
 
 int stad_tune_core_init(stad_tune *t, const stad_tune_config *c, const stad_point *start, int method)
