@@ -271,6 +271,13 @@ expect 3 'other/nonocc.png: the mask is 80 x 48' "${e[@]}" --mask other/nonocc.p
 expect 2 'no pixel can be scored' eval disp.npy s/disp.pfm --min-disparity 0 --num-disparities 96
 expect 2 'other/disp.pfm is 80 x 48' tune s/left.png s/right.png --truth other/disp.pfm --num-disparities 16
 
+accept scene -o far --width 96 --height 48 --num-disparities 48 --plates 3
+"$stad" tune far/left.png far/right.png --truth far/disp.pfm --num-disparities 16 --max-evals 1 >stdout.tmp 2>stderr.tmp
+[ $? = 0 ] && grep -q 'far/left.png: [0-9.]* % of its truth lies outside the disparities searched, 0 .. 15' stderr.tmp ||
+    fail_check "truth out of range: $(cat stderr.tmp)"
+"$stad" "${t[@]}" >stdout.tmp 2>stderr.tmp && [ ! -s stderr.tmp ] || fail_check "truth within the range: $(cat stderr.tmp)"
+rm stdout.tmp stderr.tmp
+
 ### lists of scenes ###
 echo '[{"left": "s/left.png", "right": "s/right.png"}]' >no_truth.json
 echo '[{"left": "s/left.png", "right": "s/right.png", "truth": "s/none.pfm"}]' >gone.json

@@ -94,11 +94,34 @@ static stad_camera camera_of(const tune_job *j, const picture *left)
     return c;
 }
 
+/* Truth that no parameters can reach is worth a word. */
+static void note_range(const scored_scene *c)
+{
+    int32_t low = c->base.min_disparity * 65536, high = low + (c->base.num_disparities - 1) * 65536;
+    size_t n = (size_t)c->truth.width * (size_t)c->truth.height, seen = 0, outside = 0;
+    for (size_t i = 0; i < n; i++)
+        if (c->truth.label[i] == STAD_LABEL_VISIBLE) {
+            seen++;
+            outside += c->truth.q16[i] < low || c->truth.q16[i] > high;
+        }
+    tool_fail note = {0};
+    if (outside * 100 < seen || outside == 0)
+        return;
+    tool_fail_set(&note, TOOL_OK, ": %.1f %% of its truth lies outside the disparities searched, %d .. %d",
+                  100.0 * (double)outside / (double)seen, c->base.min_disparity,
+                  c->base.min_disparity + c->base.num_disparities - 1);
+    tool_note("stad tune", c->left_path, &note);
+}
+
 static int take_base(const tune_job *j, scored_scene *c, tool_fail *f)
 {
     stad_camera camera = camera_of(j, &c->left);
     int status = base_of(j, c, f);
-    return status ? status : scene_find_truth(c, &camera, f);
+    if (status == TOOL_OK)
+        status = scene_find_truth(c, &camera, f);
+    if (status == TOOL_OK)
+        note_range(c);
+    return status;
 }
 
 static int prepare(tune_job *j, tool_fail *f)
