@@ -68,7 +68,7 @@ def margins(rows):
     print(f"\ntuned sets by other margins ({sum(same)} of {len(rows)} trials start from the same pick)")
     for name, points, sigmas in (("none is adopted", 1e9, 0), ("all are", -1e9, 0), ("not worse", 0, 0), ("1 point", 1, 0), ("2 points", 2, 0),
                                  ("1 sigma", 0, 1), ("2 sigma", 0, 2), ("2 points and 3 sigma", 2, 3)):
-        taken = [s and g >= points and g >= sigmas * d for s, g, d in zip(same, gain, sigma)]
+        taken = [s and g >= max(points, sigmas * d if sigmas else -1e9) for s, g, d in zip(same, gain, sigma)]
         bad = [r["none" if t else "pick"]["bad"] for r, t in zip(rows, taken)]
         change = [r["none"]["bad"] - r["pick"]["bad"] for r, t in zip(rows, taken) if t]
         print(f"{name:22s} {mean(bad):6.2f} {100 * (use - mean(bad)) / (use - full):4.0f}%  adopted {sum(taken):2d}: better by > .5 point "
