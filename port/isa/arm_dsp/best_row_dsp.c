@@ -3,7 +3,7 @@
  * port/isa/arm_dsp/best_row_dsp.c - winner and runner-up, two disparities an instruction. */
 #include <stddef.h>
 
-#include "kernel/kernel.h"
+#include "../common/best_3way.h"
 #include "pair_dsp.h"
 
 /* Least costs and their first places among even and among odd disparities. */
@@ -62,4 +62,10 @@ void stad_best_row_dsp(const int16_t *total, int32_t count, int32_t disparities,
         b.runner_up = (int16_t)least_in(total + b.index + 2, disparities - b.index - 2, b.runner_up);
         best[i] = b;
     }
+}
+
+void stad_best_row_3way_dsp(const int16_t *total, int32_t count, int32_t disparities, stad_best *best)
+{
+    stad_best_row_dsp(total, count, disparities, best);
+    best_ties_3way(total, count, disparities, best);
 }

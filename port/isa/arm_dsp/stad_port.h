@@ -11,6 +11,7 @@
 #define stad_path_row        stad_path_row_dsp
 #define stad_gather_row      stad_gather_row_dsp
 #define stad_best_row        stad_best_row_dsp
+#define stad_best_row_3way   stad_best_row_3way_dsp
 #define stad_median_row      stad_median_row_dsp
 
 void stad_prefilter_row_dsp(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
@@ -22,6 +23,7 @@ void stad_slide_row_dsp(const stad_slide_job *job, int16_t *block);
 void stad_path_row_dsp(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_gather_row_dsp(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_dsp(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_best_row_3way_dsp(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_median_row_dsp(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
 #include "kernel/bind_c.h"

@@ -3,7 +3,7 @@
  * port/isa/scalar/best_row_scalar.c - winner and runner-up, eight disparities a turn: what beats the least so far is rare. */
 #include <stddef.h>
 
-#include "kernel/kernel.h"
+#include "../common/best_3way.h"
 #include "word.h"
 
 typedef struct search {
@@ -49,4 +49,10 @@ void stad_best_row_scalar(const int16_t *total, int32_t count, int32_t dispariti
         best[i].least = (int16_t)s.least;
         best[i].runner_up = (int16_t)rival.least;
     }
+}
+
+void stad_best_row_3way_scalar(const int16_t *total, int32_t count, int32_t disparities, stad_best *best)
+{
+    stad_best_row_scalar(total, count, disparities, best);
+    best_ties_3way(total, count, disparities, best);
 }
