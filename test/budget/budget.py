@@ -20,8 +20,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BOARD = ROOT / "port/board"
 CC = "arm-none-eabi-gcc"
 M4 = "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16".split()
-CORES = {"M4 -Os": (["-Os"] + M4, "c"), "M4 -O2": (["-O2"] + M4, "c"), "M4 DSP -O2": (["-O2"] + M4, "arm_dsp")}
+M0 = "-mcpu=cortex-m0plus -mthumb".split()
+CORES = {"M0+ -Os": (["-Os"] + M0, "c"), "M4 -Os": (["-Os"] + M4, "c"), "M4 -O2": (["-O2"] + M4, "c"), "M4 DSP -O2": (["-O2"] + M4, "arm_dsp")}
 LIMITED = "M4 -Os"
+SHOWN = {"M0+ -Os"}  # in the table, but not held to the limits: 8 low registers make larger frames
 FEATURES = ["match", "one_mode", "one_mode_tune", "tune", "match_tune", "mark", "monitor", "store", "chain"]
 FLASH_LIMIT = {"one_mode": 12 * 1024, "one_mode_tune": 20 * 1024, "chain": 48 * 1024}
 ENTRY = {"one_mode": "match", "one_mode_tune": "match_tune"}
@@ -135,10 +137,11 @@ def stack(core, folder):
     results.sort(reverse=True)
     check(f"{core} stack can be bounded", not trouble and not dynamic, "; ".join(sorted(set(trouble)) + dynamic)
           or f"{len(results)} public functions, no recursion, no unknown call")
-    check(f"{core} stack of a function <= {FRAME_LIMIT}", not big, ", ".join(f"{f} {n}" for f, n in big.items())
-          or f"largest {max(own.values())}")
-    check(f"{core} worst stack <= {STACK_LIMIT}", results[0][0] <= STACK_LIMIT,
-          f"{results[0][0]} bytes: " + " > ".join(f.split(':')[-1] for f in results[0][1]))
+    if core not in SHOWN:
+        check(f"{core} stack of a function <= {FRAME_LIMIT}", not big, ", ".join(f"{f} {n}" for f, n in big.items())
+              or f"largest {max(own.values())}")
+        check(f"{core} worst stack <= {STACK_LIMIT}", results[0][0] <= STACK_LIMIT,
+              f"{results[0][0]} bytes: " + " > ".join(f.split(':')[-1] for f in results[0][1]))
     by_name = {chain[0]: total for total, chain in results}
     return results[0][0], by_name
 
