@@ -119,7 +119,7 @@
 #define STAD_PART_RUN(d)     (STAD_BYTES_UP(2 * STAD_RUN * (size_t)(d)) + 2 * STAD_ACROSS_BYTES(d) + 2 * STAD_BYTES_UP(2 * (size_t)(d)))
 
 /* Three rows each of raw disparities, votes of the right view and confidence; the votes' costs; one run of winners. */
-#define STAD_PART_ROWS(w) (7 * STAD_BYTES_UP(2 * (size_t)(w)) + 3 * STAD_BYTES_UP(w) + STAD_BYTES_UP(6 * STAD_RUN))
+#define STAD_PART_ROWS(w) (7 * STAD_BYTES_UP(2 * (size_t)(w)) + 3 * STAD_BYTES_UP(w) + STAD_BYTES_UP(8 * STAD_RUN))
 
 #define STAD_MATCH_BYTES_(w, h, cn, d, b, p2, cap, mode, memory, narrow, safe) \
     (STAD_PART_PIXELS(w, h, cn, b, mode) + STAD_PART_FEATURES(w, cn) + \

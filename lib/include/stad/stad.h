@@ -19,5 +19,6 @@
 #include "stad/target.h"
 #include "stad/truth.h"
 #include "stad/tune.h"
+#include "stad/winners.h"
 
 #endif

@@ -49,6 +49,9 @@
 #ifndef stad_best_row_3way
 #    define stad_best_row_3way stad_best_row_3way_c
 #endif
+#ifndef stad_refine_row
+#    define stad_refine_row stad_refine_row_c
+#endif
 #ifndef stad_select_row
 #    define stad_select_row stad_select_row_c
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * kernel/kernel.h - the contract of every row kernel.
  *
- *     pixels -> PREFILTER -> RANGE -> COST -> BOX -> SLIDE -> PATH -> BEST -> SELECT -> CHECK -> MEDIAN -> disparity
+ *     pixels -> PREFILTER -> RANGE -> COST -> BOX -> SLIDE -> PATH -> BEST -> REFINE -> SELECT -> CHECK -> MEDIAN -> disparity
  *
  * A kernel takes plain pointers and integers, works on one row or on a run of columns of it, keeps nothing, allocates
  * nothing. Volumes are x-major: the D values of a column lie together, d ascending. The reference `stad_<kernel>_c` is
@@ -99,14 +99,19 @@ typedef struct stad_best {
 void stad_best_row_c(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_c(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 
-/* -- select: winners to disparities, with uniqueness, right-view votes and sub-pixel (SPEC 8) ---------------------------
+/* -- refine: winners to sub-pixel places (SPEC 8) ------------------------------------------------------------------------
+ * fine[i]: 16 times the place of pixel i's winner, by the parabola through S at index - 1, index, index + 1; 16 * index at
+ * either end of the range. */
+void stad_refine_row_c(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine);
+
+/* -- select: winners to disparities, with uniqueness and right-view votes (SPEC 8) --------------------------------------
  * Takes the run from its last column to its first. disp: the row, `width` values preset to `none`. vote_disp and
  * vote_cost: the right view's best so far. confidence: the row's bytes, preset to 0, or NULL. */
 typedef struct stad_select_job {
-    const int16_t *total;
     const stad_best *best;
+    const int16_t *fine;
     int32_t x, count; /* image column of the run's first pixel */
-    int32_t width, min_disparity, disparities, uniqueness_ratio;
+    int32_t width, min_disparity, uniqueness_ratio;
     int floor_rule; /* 3WAY's form of the uniqueness test */
     int16_t *disp, *vote_disp, *vote_cost;
     uint8_t *confidence;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * best -> [SELECT] -> check
- * kernel/select_row.c - winners to sub-pixel disparities; each winner votes for the right view.
+ * refine -> [SELECT] -> check
+ * kernel/select_row.c - winners to disparities; each winner votes for the right view.
  *
  * The uniqueness test asks for a rival outside +-1 that is nearly as good; all forms of it are monotone in the rival's
  * cost, so the least rival (the runner-up) decides. Bounds: costs are int16, so every product with 100 fits int32. */
@@ -13,15 +13,6 @@ static int is_ambiguous(const stad_select_job *job, const stad_best *best)
     if (!job->floor_rule)
         return best->runner_up * rest < best->least * 100;
     return job->uniqueness_ratio > 0 && best->runner_up < wrap_i16(100 * best->least / rest + 1);
-}
-
-static int32_t subpixel(const int16_t *total, int32_t index, int32_t disparities)
-{
-    if (index <= 0 || index >= disparities - 1)
-        return 16 * index;
-    const int32_t before = total[index - 1], after = total[index + 1];
-    const int32_t curve = max_i32(before + after - 2 * total[index], 1);
-    return 16 * index + ((before - after) * 16 + curve) / (2 * curve);
 }
 
 /* The uniqueness margin on a scale of 255: how much cheaper the winner is than the runner-up. */
@@ -54,8 +45,7 @@ void stad_select_row_c(stad_select_job *job)
             continue;
         }
         vote(job, x, best);
-        const int16_t *total = job->total + (ptrdiff_t)i * job->disparities;
-        job->disp[x] = wrap_i16(subpixel(total, best->index, job->disparities) + 16 * job->min_disparity);
+        job->disp[x] = wrap_i16(job->fine[i] + 16 * job->min_disparity);
         if (job->confidence)
             job->confidence[x] = margin(best);
     }

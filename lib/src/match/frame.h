@@ -8,6 +8,7 @@
 #define STAD_FRAME_H
 
 #include "stad/match.h"
+#include "stad/winners.h"
 #include "kernel/kernel.h"
 
 enum lane_kind { LANE_DOWN_RIGHT, LANE_VERTICAL, LANE_DOWN_LEFT }; /* from x - 1, x, x + 1 of the row before */
@@ -27,6 +28,9 @@ typedef struct stad_frame {
     const char *culprit;
     uint32_t options;
     int32_t running; /* a frame has been begun */
+    stad_winners *keep;        /* where the winners of every frame go, or NULL */
+    int32_t recording;         /* this frame's go there */
+    const stad_winners *again; /* this frame's winners are there already, or NULL */
 
     /* of the geometry */
     int32_t narrow, cost_slots, ring, pixel_rows, segment_rows, segments;
@@ -41,6 +45,7 @@ typedef struct stad_frame {
     int16_t *raw[3], *votes[3], *vote_cost;
     uint8_t *confidence[3];
     stad_best *best;
+    int16_t *fine;
 
     /* of the frame's parameters */
     int32_t safe, wide; /* C cannot saturate; pixel costs need 16 bits */
@@ -108,7 +113,15 @@ void sweep_back(stad_frame *f, const row_sweep *s);       /* right to left, winn
 /* -- row.c: winners of a row ---------------------------------------------------------------------------------------------- */
 void row_open(stad_frame *f);
 void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count); /* runs from right to left */
+void row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count);
 void row_close(stad_frame *f);
+
+/* -- winners.c: a row of them kept, and a raw row made of them --------------------------------------------------------- */
+void winners_start(stad_frame *f);
+void winners_open(stad_frame *f);
+void winners_close(stad_frame *f);
+void winners_put(stad_frame *f, int32_t x, int32_t count); /* f->best and f->fine, of columns x .. x + count - 1 */
+int winners_step(stad_frame *f);
 
 /* -- mode_*.c: each makes the next raw row, or answers STAD_AGAIN --------------------------------------------------------- */
 int mode_sgbm_step(stad_frame *f);

@@ -71,9 +71,8 @@ static void shape_frame(stad_frame *f)
     memset(&f->counts, 0, sizeof f->counts);
 }
 
-int stad_match_begin(stad_match *m, const stad_params *p)
+static int begin(stad_frame *f, const stad_params *p)
 {
-    stad_frame *f = frame_of(m);
     f->running = 0;
     if (f->g.width == 0)
         return STAD_E_STATE; /* never initialised */
@@ -85,8 +84,41 @@ int stad_match_begin(stad_match *m, const stad_params *p)
         return STAD_E_LIMIT;
     f->p = *p;
     shape_frame(f);
+    f->again = NULL;
+    f->recording = f->keep != NULL;
     f->running = 1;
     return STAD_OK;
+}
+
+int stad_match_begin(stad_match *m, const stad_params *p)
+{
+    stad_frame *f = frame_of(m);
+    const int status = begin(f, p);
+    if (status == STAD_OK && f->recording)
+        winners_start(f);
+    return status;
+}
+
+int stad_match_keep(stad_match *m, stad_winners *w)
+{
+    stad_frame *f = frame_of(m);
+    if (w && (w->width != f->g.width || w->height != f->g.height || w->mode != f->g.mode))
+        return STAD_E_SIZE;
+    f->keep = w;
+    f->running = 0;
+    return STAD_OK;
+}
+
+int stad_match_again(stad_match *m, const stad_params *p, const stad_winners *w)
+{
+    stad_frame *f = frame_of(m);
+    if (w->width != f->g.width || w->height != f->g.height || w->mode != f->g.mode)
+        return STAD_E_SIZE;
+    const int served = stad_winners_serve(w, p), status = begin(f, p);
+    f->running = status == STAD_OK && served;
+    f->recording = 0;
+    f->again = w;
+    return status == STAD_OK && !served ? STAD_E_STATE : status;
 }
 
 static int is_two_pass(const stad_frame *f)
@@ -98,7 +130,7 @@ int stad_match_push(stad_match *m, const uint8_t *left_row, const uint8_t *right
 {
     stad_frame *f = frame_of(m);
     const size_t bytes = (size_t)f->g.width * (size_t)f->g.channels;
-    if (!f->running || f->pushed == f->g.height)
+    if (!f->running || f->again || f->pushed == f->g.height)
         return STAD_E_STATE;
     if (f->pushed - f->oldest >= f->pixel_rows)
         return STAD_AGAIN;
@@ -113,6 +145,8 @@ int stad_match_push(stad_match *m, const uint8_t *left_row, const uint8_t *right
 
 static int make_row(stad_frame *f)
 {
+    if (f->again)
+        return winners_step(f);
     switch (f->g.mode) {
     case STAD_MODE_SGBM:
         return mode_sgbm_step(f);

@@ -51,6 +51,15 @@ static int filter_speckles(stad_frame *f, int16_t *disp_q4, ptrdiff_t disp_strid
     return min_i32(removed, STAD_OK);
 }
 
+/* The next row out, in the frame's order, to its place. Whether there was one. */
+static int pull_next(stad_match *m, int16_t *disp_q4, ptrdiff_t disp_stride)
+{
+    const stad_frame *f = frame_of(m);
+    const int two_pass = f->g.mode == STAD_MODE_HH || f->g.mode == STAD_MODE_HH4;
+    const int32_t row = two_pass ? f->g.height - 1 - f->pulled : f->pulled;
+    return stad_match_pull(m, disp_q4 + row * disp_stride) >= 0;
+}
+
 int stad_match_frame(stad_match *m, const stad_params *p, const stad_image *left, const stad_image *right, int16_t *disp_q4,
                      ptrdiff_t disp_stride, void *speckle_work, size_t speckle_bytes)
 {
@@ -66,10 +75,21 @@ int stad_match_frame(stad_match *m, const stad_params *p, const stad_image *left
         status = push_next(m, left, right);
         if (status != STAD_OK && status != STAD_AGAIN)
             return status;
-        const int32_t next = f->g.mode == STAD_MODE_HH || f->g.mode == STAD_MODE_HH4 ? left_over - 1
-                                                                                    : f->g.height - left_over;
-        const int row = stad_match_pull(m, disp_q4 + next * disp_stride);
-        left_over -= row >= 0;
+        left_over -= pull_next(m, disp_q4, disp_stride);
     }
+    return filter_speckles(f, disp_q4, disp_stride, speckle_work, speckle_bytes);
+}
+
+int stad_match_frame_again(stad_match *m, const stad_params *p, const stad_winners *w, int16_t *disp_q4, ptrdiff_t disp_stride,
+                           void *speckle_work, size_t speckle_bytes)
+{
+    stad_frame *f = frame_of(m);
+    const int status = stad_match_again(m, p, w);
+    if (status != STAD_OK)
+        return status;
+    if (!disp_q4 || (p->speckle_window_size > 0 && !speckle_fits(f, speckle_work, speckle_bytes)))
+        return STAD_E_SIZE;
+    for (int32_t left_over = f->g.height; left_over > 0;)
+        left_over -= pull_next(m, disp_q4, disp_stride);
     return filter_speckles(f, disp_q4, disp_stride, speckle_work, speckle_bytes);
 }

@@ -212,7 +212,8 @@ static void bind_rows(stad_frame *f, uint8_t *part)
         f->confidence[i] = take(&part, STAD_BYTES_UP(w));
     }
     f->vote_cost = take_i16(&part, 2 * w);
-    f->best = (stad_best *)(void *)take(&part, STAD_BYTES_UP(6 * STAD_RUN));
+    f->best = (stad_best *)(void *)take(&part, STAD_BYTES_UP(8 * STAD_RUN));
+    f->fine = (int16_t *)(void *)(f->best + STAD_RUN);
 }
 
 static void derive(stad_frame *f, const shape *s)

@@ -19,18 +19,27 @@ void row_open(stad_frame *f)
     fill_i16(f->votes[slot], width, none_q4(f)); /* in units of whole disparities, as SPEC 8 has it */
     fill_i16(f->vote_cost, width, STAD_COST_MAX);
     memset(f->confidence[slot], 0, (size_t)width);
+    if (f->recording)
+        winners_open(f);
 }
 
 void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
 {
-    const int32_t slot = f->made % 3, three_way = f->g.mode == STAD_MODE_3WAY;
-    if (three_way)
+    if (f->g.mode == STAD_MODE_3WAY)
         stad_best_row_3way(total, count, f->p.num_disparities, f->best);
     else
         stad_best_row(total, count, f->p.num_disparities, f->best);
-    stad_select_job job = {total, f->best, f->first_column + x, count, f->g.width, f->p.min_disparity,
-                           f->p.num_disparities, f->p.uniqueness_ratio, three_way, f->raw[slot], f->votes[slot],
-                           f->vote_cost, NULL, 0, 0};
+    stad_refine_row(total, f->best, count, f->p.num_disparities, f->fine);
+    if (f->recording)
+        winners_put(f, x, count);
+    row_select(f, f->best, f->fine, x, count);
+}
+
+void row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count)
+{
+    const int32_t slot = f->made % 3;
+    stad_select_job job = {best, fine, f->first_column + x, count, f->g.width, f->p.min_disparity, f->p.uniqueness_ratio,
+                           f->g.mode == STAD_MODE_3WAY, f->raw[slot], f->votes[slot], f->vote_cost, NULL, 0, 0};
     if (f->options & STAD_MATCH_CONFIDENCE)
         job.confidence = f->confidence[slot];
     stad_select_row(&job);
@@ -73,5 +82,7 @@ void row_close(stad_frame *f)
         clear_where_none(f, f->raw[slot], f->confidence[slot]);
     f->counts.considered += f->columns;
     finish_right(f, f->votes[slot]);
+    if (f->recording)
+        winners_close(f);
     f->made++;
 }
