@@ -214,7 +214,9 @@ class Results:
 
 
 class Study:
-    """Scenes, settings, a place for the work and one for the results. keep_going: scenes that cannot be used are left out."""
+    """Scenes (one named twice counts once), settings, a place for the work and one for the results.
+
+    keep_going: scenes that cannot be used are left out."""
 
     def __init__(self, scenes: Sequence[Scene], results: str, settings: Settings = Settings(), where: Any = None,
                  keep_going: bool = False) -> None:
@@ -225,7 +227,7 @@ class Study:
         self._begun, self._done = time.monotonic(), 0
         self.scenes: List[Scene] = []
         self._identity: Dict[Scene, List[Any]] = {}
-        for scene in scenes:
+        for scene in dict.fromkeys(scenes):
             try:
                 self._identity[scene] = scene.identity()
                 self.scenes.append(scene)
