@@ -469,6 +469,90 @@ void test_truth_cameras_outside_are_refused(void)
         TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_truth_from_target(&t, stad_target_relief(), pairs, 2, &bad[i]));
 }
 
+void test_calib_setups_of_another_geometry_are_refused(void)
+{
+    static stad_calib c;
+    stad_calib_config config;
+    const stad_camera camera = {200 * 256, W * 128, H * 128};
+    stad_calib_config_default(&config, &geometry, stad_target_relief(), &camera);
+    config.min_block_size = 1;
+    stad_setup s = some_setup();
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&c, &config, &s));
+    for (int i = 0; i < 8; i++) {
+        s = some_setup();
+        s.width = s.rig.width = (int16_t)(W + (i == 0));
+        s.height = s.rig.height = (int16_t)(H + (i == 1));
+        s.mode = (uint8_t)(i == 2);
+        s.channels = (uint8_t)(i == 3 ? 3 : 1);
+        s.params.num_disparities = i == 4 ? 24 : 16;
+        s.params.block_size = i == 5 ? 5 : 3;
+        s.params.p2 = (int16_t)(i == 6 ? 101 : 50);
+        s.params.pre_filter_cap = (int16_t)(i == 7 ? 65 : 63);
+        TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_calib_init(&c, &config, &s));
+    }
+}
+
+void test_calib_presets_outside_are_refused(void)
+{
+    stad_point x;
+    const char *name = NULL;
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_preset(0, 3, &x, &name));
+    TEST_ASSERT_NOT_NULL(name);
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_preset(STAD_PRESETS - 1, 1, &x, NULL));
+    TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_calib_preset(-1, 1, &x, NULL));
+    TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_calib_preset(STAD_PRESETS, 1, &x, NULL));
+    TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_calib_preset(0, 2, &x, NULL));
+}
+
+void test_calib_evaluation_that_does_not_fit_fails(void)
+{
+    static stad_calib c;
+    static stad_evaluator e;
+    stad_calib_config config;
+    stad_request r;
+    const stad_camera camera = {200 * 256, W * 128, H * 128};
+    const stad_image good = stad_image_packed(pix, W, H, 1);
+    stad_image bad[3] = {good, good, good};
+    stad_setup s = some_setup();
+    const size_t bytes = stad_calib_evaluate_bytes(&geometry);
+    stad_geometry none = geometry;
+    bad[0].width--;
+    bad[1].height--;
+    bad[2].channels = 3;
+    none.width = 0;
+    TEST_ASSERT_EQUAL(0, stad_calib_evaluate_bytes(&none));
+    TEST_ASSERT_EQUAL(0, stad_calib_frame_bytes(8, 8));
+    stad_calib_config_default(&config, &geometry, stad_target_relief(), &camera);
+    config.min_block_size = 1;
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&c, &config, &s));
+    memset(&r, 0, sizeof r);
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &good, work, bytes));
+    r.want = STAD_WANT_MATCH;
+    r.params = s.params;
+    r.rig = s.rig;
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &bad[i], &good, work, bytes));
+        TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &bad[i], work, bytes));
+    }
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &good, NULL, bytes));
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &good, work, 7));
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &good, work + 1, bytes));
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &good, work, bytes)); /* an empty box */
+    stad_box box = {0, 0, W, H};
+    r.box = box;
+    r.params.block_size = 2;
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &good, work, bytes));
+    r.params.block_size = 3;
+    r.rig.a_q16 = INT32_MAX;
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &good, work, bytes));
+    stad_rig_identity(&r.rig, W, H); /* the truth is of another box: no pose was seen */
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_evaluate(&c, &r, &e, &good, &good, work, bytes));
+    stad_score_config sc;
+    config.threshold_q16 = 0;
+    stad_calib_score_config(&c, &r, &sc);
+    TEST_ASSERT_EQUAL(16, sc.num_disparities);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -492,5 +576,8 @@ int main(void)
     RUN_TEST(test_plane_slopes_beyond_one_are_refused);
     RUN_TEST(test_truth_of_any_marks_is_refused_or_sound);
     RUN_TEST(test_truth_cameras_outside_are_refused);
+    RUN_TEST(test_calib_setups_of_another_geometry_are_refused);
+    RUN_TEST(test_calib_presets_outside_are_refused);
+    RUN_TEST(test_calib_evaluation_that_does_not_fit_fails);
     return UNITY_END();
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/affine.h"
+#include "base/arith.h"
 #include "base/log.h"
 #include "stad/rig.h"
 #include "stad/score.h"
@@ -31,6 +32,55 @@ void test_affine_offset_beyond_its_field_is_no_fit(void)
     for (int i = 0; i < 8; i++) /* slope 400 at x about 32000: the value at x = 0 is -12.8 million */
         stad_affine_add(&sums, 32000 + 10 * i, 20000 + 700 * (i % 3), 4000 * i);
     TEST_ASSERT_EQUAL(0, stad_affine_solve(&sums, &fit));
+}
+
+void test_affine_sums_that_no_points_make_are_no_fit(void)
+{
+    stad_affine fit;
+    const stad_affine_sums good = {4, 0, 0, 0, 1000000, 0, 1000000, 500, 300};
+    stad_affine_sums s = good;
+    TEST_ASSERT_EQUAL(1, stad_affine_solve(&s, &fit));
+    s.n = 2;
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&s, &fit));
+    s.n = STAD_AFFINE_MAX_POINTS + 1;
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&s, &fit));
+    s = good;
+    s.xx = -1;
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&s, &fit));
+    s = good;
+    s.yy = -1;
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&s, &fit));
+    for (int i = 0; i < 8; i++) { /* each sum as large as it may be, both ways */
+        s = good;
+        const int64_t large = i % 2 ? -((int64_t)1 << 45) : (int64_t)1 << 45;
+        *(i / 2 == 0 ? &s.xy : i / 2 == 1 ? &s.xv : i / 2 == 2 ? &s.yv : &s.x) = large;
+        if (i >= 6)
+            s.x = i % 2 ? -(1 << 20) : 1 << 20;
+        stad_affine_solve(&s, &fit);
+    }
+    s = good;
+    s.xy = 1000000;
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&s, &fit)); /* on a line */
+    s = good;
+    s.xv = (int64_t)1 << 40;
+    s.xx = s.yy = 4;
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&s, &fit)); /* too steep */
+    s.xv = -((int64_t)1 << 40);
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&s, &fit));
+    s.xv = 0;
+    s.yv = (int64_t)1 << 40;
+    TEST_ASSERT_EQUAL(0, stad_affine_solve(&s, &fit));
+}
+
+void test_saturation_at_both_ends(void)
+{
+    TEST_ASSERT_EQUAL_INT32(INT32_MAX, sat_i32((int64_t)INT32_MAX + 1));
+    TEST_ASSERT_EQUAL_INT32(INT32_MIN, sat_i32((int64_t)INT32_MIN - 1));
+    TEST_ASSERT_EQUAL_INT32(-5, sat_i32(-5));
+    TEST_ASSERT_EQUAL_INT16(INT16_MAX, sat_i16(40000));
+    TEST_ASSERT_EQUAL_INT16(INT16_MIN, sat_i16(-40000));
+    for (int32_t v = -200000; v < 200000; v += 77)
+        TEST_ASSERT_EQUAL_INT16((int16_t)(uint16_t)((uint32_t)v & 0xFFFFu), wrap_i16(v));
 }
 
 void test_rig_with_the_least_shift_is_refused(void)
@@ -107,6 +157,8 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_log_of_the_upper_half_stays_in_32_bits);
     RUN_TEST(test_affine_offset_beyond_its_field_is_no_fit);
+    RUN_TEST(test_affine_sums_that_no_points_make_are_no_fit);
+    RUN_TEST(test_saturation_at_both_ends);
     RUN_TEST(test_rig_with_the_least_shift_is_refused);
     RUN_TEST(test_score_entropy_of_many_frames_does_not_overflow);
     RUN_TEST(test_score_blind_with_impossible_speckles_stays_a_cost);
