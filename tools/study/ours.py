@@ -7,10 +7,11 @@ OURS = {"ncg": ("ncg", True), "ncg-bare": ("ncg", False), "hybrid": ("hybrid", F
 NAMES = ("p1", "p2", "block_size", "uniqueness_ratio", "pre_filter_cap", "disp12_max_diff")
 
 
-def search(kind, method, budget, start, cost_of, seed=1):
+def search(kind, method, budget, start, cost_of, seed=1, channels=1):
     """Runs a search to its end. cost_of(tuple) -> Q20. The trace [(point, cost)] and the tuner's counts."""
     name, ladder = OURS[method]
-    tuner = stadimeter.Tuner(dict(zip(NAMES, start)), purpose=kind if ladder else "any", method=name, budget=budget, seed=seed)
+    tuner = stadimeter.Tuner(dict(zip(NAMES, start)), purpose=kind if ladder else "any", method=name, budget=budget, seed=seed,
+                             channels=channels)
     trace = []
     while (point := tuner.ask()) is not None:
         x = tuple(point[n] for n in NAMES)

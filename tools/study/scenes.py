@@ -67,12 +67,15 @@ def canonical(x):
 
 
 class Scene:
-    def __init__(self, path):
+    """A pair in grey, or in colour as OpenCV reads it (its points are kept apart)."""
+
+    def __init__(self, path, colour=False):
         meta = manifest()[path]
         folder = os.path.join(DATA, path)
         self.path, self.disparities = path, meta["numDisparities"]
         self.threshold = 3 if path.startswith("kitti2015") else 1
-        self.left, self.right = grey(os.path.join(folder, "left.png")), grey(os.path.join(folder, "right.png"))
+        read = cv2.imread if colour else grey
+        self.left, self.right = read(os.path.join(folder, "left.png")), read(os.path.join(folder, "right.png"))
         self.truth = truth_q16(folder)
         mask = os.path.join(folder, "nonocc.png")
         if os.path.exists(mask):
@@ -82,7 +85,7 @@ class Scene:
             self.label = stadimeter.label(self.truth)
         self.matcher = stadimeter.StereoSGBM_create(numDisparities=self.disparities)
         os.makedirs(CACHE, exist_ok=True)
-        self.file = os.path.join(CACHE, path.replace("/", "_") + ".txt")
+        self.file = os.path.join(CACHE, path.replace("/", "_") + ("_colour" if colour else "") + ".txt")
         self.known = {}
         self.reload()
 

@@ -9,7 +9,7 @@ Runs what results.json does not hold yet, then prints the tables from it: means 
 and speed on design and report scenes apart, and every scene's cost. All methods: same start (sample), same lattice, budget
 counted in distinct evaluations. `gap`: to the best that any method of the table reached on that scene, at the budget.
 `to 2 %`: median of the evaluations until within 2 % of it. `seconds`: distinct evaluations times the processor seconds of
-one on that scene (measured in this run, median of ten points), and what the method itself took."""
+one on that scene (measured in this run, median of ten points); what a method takes to think is not counted."""
 import argparse
 import csv
 import json
@@ -29,24 +29,15 @@ NEVER = float("inf")
 
 
 def run(scene, kind, method, budget):
-    """One search. `own` is the processor time that the method took beside the evaluations."""
-    spent = [0.0]
-
-    def cost_of(x):
-        begin = time.thread_time()
-        cost = scene.cost(x, kind)
-        spent[0] += time.thread_time() - begin
-        return cost
-
-    begin = time.thread_time()
+    """One search."""
+    cost_of = lambda x: scene.cost(x, kind)
     if method in OURS:
         trace, n = search(kind, method, budget, sample(), cost_of)
         calls, iterations = n["calls"], n["iterations"]
     else:
         box = rivals.run(method, cost_of, sample(), budget)
         trace, calls, iterations = box.trace, box.calls, box.rounds
-    own = time.thread_time() - begin - spent[0]
-    return {"best": list(best_of(trace)[0]), "costs": [c for _, c in trace], "calls": calls, "iterations": iterations, "own": round(own, 4)}
+    return {"best": list(best_of(trace)[0]), "costs": [c for _, c in trace], "calls": calls, "iterations": iterations}
 
 
 def fill(results, path, args):
@@ -80,11 +71,11 @@ def entry(results, scene, kind, method):
     best, one = best_cost(results, kind, scene.path), results[f"seconds|{scene.path}"]
     if method in ("default", "sample"):
         x = DEFAULT if method == "default" else sample()
-        r = {"best": x, "costs": [scene.cost(x, kind)], "iterations": 0, "own": 0.0}
+        r = {"best": x, "costs": [scene.cost(x, kind)], "iterations": 0}
     else:
         r = results[f"{kind}|{scene.path}|{method}"]
     n = len(r["costs"])
-    return dict(measures(scene.counts(tuple(r["best"]))), iterations=r["iterations"], evaluations=n, seconds=n * one + r["own"],
+    return dict(measures(scene.counts(tuple(r["best"]))), iterations=r["iterations"], evaluations=n, seconds=n * one,
                 gap=100 * (min(r["costs"]) / best - 1), to2=first_within(r["costs"], 1.02 * best), point=tuple(r["best"]))
 
 

@@ -111,7 +111,8 @@ typedef struct stad_tune {
 } stad_tune;
 
 /* Which start ladder stad_tune_config_stereo() brings: points that were good on scenes of each kind, fitted for the cost that is
- * tuned on (docs/TUNING.md). They are for grey frames: with 3 channels multiply p1 and p2 of every rung by 3. */
+ * tuned on (docs/TUNING.md); FOR_BAD serves D1 as well. They are for grey frames: with 3 channels multiply p1 and p2 of every
+ * rung by 3. */
 enum stad_tune_for { STAD_TUNE_FOR_ANY = 0, STAD_TUNE_FOR_BAD = 1, STAD_TUNE_FOR_CHOW = 2 };
 
 /* The config for stereo parameters: method NCG, all free, budget 100, p1 1..4096, p2 2..8192, block 1..11, uniqueness 0..40,

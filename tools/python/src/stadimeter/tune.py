@@ -9,7 +9,7 @@ from ._native import DIMS, TUNE_BYTES, Point, TuneConfig, lib
 
 NAMES = ("p1", "p2", "block_size", "uniqueness_ratio", "pre_filter_cap", "disp12_max_diff")
 METHODS = {"ncg": 0, "ncg-paper": 1, "sd": 2, "hybrid": 3}
-PURPOSES = {"any": 0, "bad": 1, "chow": 2}
+PURPOSES = {"any": 0, "bad": 1, "chow": 2, "d1": 1}  # bad's ladder serves d1 as well
 FAILED = float("inf")
 _FAILED_Q20 = 2**31 - 1
 PointDict = Dict[str, int]
@@ -24,17 +24,22 @@ def _choice(name: str, value: str, table: Mapping[str, int]) -> int:
 class Tuner:
     """An ask/tell search over p1, p2, block_size, uniqueness_ratio, pre_filter_cap, disp12_max_diff.
 
-    start: a value for each name. purpose: the cost that will be told ("bad", "chow", "any": brings no start ladder). free:
-    names that may move (default all). limits: name -> (lowest, highest). bytes(tuner) is its whole state; restore() goes on."""
+    start: a value for each name. purpose: the cost that will be told ("bad", "chow", "d1"; "any" brings no start ladder).
+    channels: of the frames. free: names that may move (default all). limits: name -> (lowest, highest). bytes(tuner) is its
+    whole state; restore() goes on."""
 
     def __init__(self, start: Mapping[str, int], purpose: str = "bad", method: str = "ncg", budget: int = 100,
                  free: Optional[Iterable[str]] = None, limits: Optional[Mapping[str, Tuple[int, int]]] = None, seed: int = 1,
-                 patience: bool = False) -> None:
+                 patience: bool = False, channels: int = 1) -> None:
         config = TuneConfig()
         lib.stad_tune_config_stereo(config, _choice("purpose", purpose, PURPOSES))
         config.method = _choice("method", method, METHODS)
         if not 1 <= budget <= 240:
             raise ValueError(f"budget = {budget}: 1..240 distinct evaluations")
+        if channels not in (1, 3):
+            raise ValueError(f"channels = {channels}: 1 or 3")
+        for rung in config.ladder[:config.ladder_count]:  # made for grey frames
+            rung[0], rung[1] = rung[0] * channels, rung[1] * channels
         config.budget, config.seed, config.patience = budget, seed & 0xFFFFFFFF, int(patience)
         if free is not None:
             config.free_mask = sum(1 << self._index(name) for name in set(free))
