@@ -44,8 +44,15 @@ int engine_open(engine *e, const stad_geometry *g, tool_fail *f)
     return tool_fail_set(f, TOOL_USAGE, "the matcher cannot be built: %s", stad_status_name(status));
 }
 
+int engine_keep(engine *e, int count, tool_fail *f)
+{
+    engine_share_close(&e->share);
+    return engine_share_open(&e->share, &e->geometry, count, f);
+}
+
 void engine_close(engine *e)
 {
+    engine_share_close(&e->share);
     free(e->work);
     free(e->speckle);
     e->work = e->speckle = NULL;
@@ -63,16 +70,18 @@ static int take_extras(engine *e, const engine_extras *x, int min_disparity, too
     return status;
 }
 
-/* Rows are pulled into the last row's place and moved to their own, because only the pull says which row it was. */
+/* Without pictures the frame is one of winners, and all its rows are there. Rows are pulled into the last row's place and moved
+ * to their own, because only the pull says which row it was. */
 static int pump(engine *e, const picture *left, const picture *right, disparity *d, const engine_extras *x)
 {
-    size_t w = (size_t)d->width, in = w * (size_t)left->channels;
+    size_t w = (size_t)d->width, in = left ? w * (size_t)left->channels : 0;
     int16_t *row = malloc(w * sizeof *row), *row_right = malloc(w * sizeof *row_right);
     uint8_t *sure = malloc(w);
     int status = row && row_right && sure ? STAD_OK : STAD_E_SIZE;
     for (size_t y = 0; y < (size_t)d->height && status >= 0; y++) {
         int at;
-        status = stad_match_push(&e->match, left->pix + y * in, right->pix + y * in);
+        if (left)
+            status = stad_match_push(&e->match, left->pix + y * in, right->pix + y * in);
         while (status >= 0 && (at = stad_match_pull_all(&e->match, row, sure, row_right)) >= 0) {
             memcpy(d->q4 + (size_t)at * w, row, w * sizeof *row);
             if (x && x->confidence)
@@ -102,13 +111,16 @@ int engine_run(engine *e, const stad_params *p, const picture *left, const pictu
     if (status)
         return status;
     d->none_q4 = (int16_t)((p->min_disparity - 1) * 16);
-    int code = stad_match_begin(&e->match, p);
+    const stad_winners *known = engine_share_find(&e->share, p);
+    if (!known)
+        stad_match_keep(&e->match, engine_share_next(&e->share));
+    int code = known ? stad_match_again(&e->match, p, known) : stad_match_begin(&e->match, p);
     if (code != STAD_OK) {
         const char *culprit = stad_match_culprit(&e->match);
         return tool_fail_set(f, TOOL_USAGE, "the matcher refuses %s: %s",
                              culprit ? culprit : "the parameters", stad_status_name(code));
     }
-    code = pump(e, left, right, d, extras);
+    code = pump(e, known ? NULL : left, known ? NULL : right, d, extras);
     if (code >= 0 && p->speckle_window_size > 0)
         code = stad_speckle_filter(d->q4, d->width, d->width, d->height, d->none_q4, p->speckle_window_size,
                                    speckle_diff(p), e->speckle, e->speckle_bytes);

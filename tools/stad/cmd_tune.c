@@ -26,6 +26,8 @@ static const char help[] =
     "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
     "  --threshold PX       error above which a pixel is wrong (1)\n"
     "  --max-evals N        distinct evaluations at most, 1..200 (100)\n"
+    "  --share N            frames whose winners are kept, 8 bytes a pixel each: points that differ only in\n"
+    "                       uniqueness_ratio or disp12_max_diff then need no matching (32; same result)\n"
     "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), "
     "values laid over\n"
     "  --free NAME,...      what may vary "
@@ -47,6 +49,7 @@ enum {
     OPT_COST,
     OPT_THRESHOLD,
     OPT_EVALS,
+    OPT_SHARE,
     OPT_START,
     OPT_FREE,
     OPT_JSON,
@@ -67,6 +70,7 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"cost", required_argument, NULL, OPT_COST},
                                       {"threshold", required_argument, NULL, OPT_THRESHOLD},
                                       {"max-evals", required_argument, NULL, OPT_EVALS},
+                                      {"share", required_argument, NULL, OPT_SHARE},
                                       {"start", required_argument, NULL, OPT_START},
                                       {"free", required_argument, NULL, OPT_FREE},
                                       {"json", required_argument, NULL, OPT_JSON},
@@ -165,6 +169,8 @@ static int take(tune_job *j, int code, tool_fail *f)
         return tool_real("threshold", optarg, 0, 4095, &j->how.threshold, f);
     case OPT_EVALS:
         return tool_whole("max-evals", optarg, 1, STAD_TUNE_LOG, &j->max_evals, f);
+    case OPT_SHARE:
+        return tool_whole("share", optarg, 0, STAD_TUNE_LOG, &j->share, f);
     case OPT_START:
         return each_part(optarg, take_start, j, f);
     case OPT_FREE:
@@ -213,6 +219,7 @@ static int read_options(tune_job *j, int argc, char **argv, tool_fail *f)
     unsigned long long given = 0;
     match_options_init(&j->options);
     params_some_init(&j->start);
+    j->share = 32;
     while ((code = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
         int status = match_options_take(&j->options, code, optarg, &mine, f);
         if (code == 'h')

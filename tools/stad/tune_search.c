@@ -82,7 +82,8 @@ static int open_engine(const tune_job *j, scored_scene *c, const stad_tune_confi
     g.max_block_size = config->axis[STAD_TUNE_BLOCK_SIZE].hi;
     g.max_p2 = config->axis[STAD_TUNE_P2].hi;
     g.max_pre_filter_cap = config->axis[STAD_TUNE_PRE_FILTER_CAP].hi;
-    return engine_open(&c->engine, &g, f);
+    int status = engine_open(&c->engine, &g, f);
+    return status ? status : engine_keep(&c->engine, (int)j->share, f);
 }
 
 static stad_camera camera_of(const tune_job *j, const picture *left)
