@@ -3,27 +3,29 @@
 #include <stdint.h>
 
 #include "../board.h"
+#include "semihost.h"
 
 enum { SYS_WRITE0 = 0x04, SYS_EXIT = 0x18, ADP_APPLICATION_EXIT = 0x20026 };
 
 void aarch64_fault(void);
 
-static void semihost(uint64_t operation, const void *argument)
+intptr_t board_semihost(uintptr_t operation, const void *block)
 {
-    register uint64_t x0 __asm__("x0") = operation;
-    register const void *x1 __asm__("x1") = argument;
+    register uintptr_t x0 __asm__("x0") = operation;
+    register const void *x1 __asm__("x1") = block;
     __asm__ volatile("hlt 0xf000" : "+r"(x0) : "r"(x1) : "memory");
+    return (intptr_t)x0;
 }
 
 void board_print(const char *text)
 {
-    semihost(SYS_WRITE0, text);
+    board_semihost(SYS_WRITE0, text);
 }
 
 void board_exit(int code)
 {
     const uint64_t block[2] = {ADP_APPLICATION_EXIT, (uint64_t)code};
-    semihost(SYS_EXIT, block);
+    board_semihost(SYS_EXIT, block);
     for (;;) {
     }
 }

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "../board.h"
+#include "semihost.h"
 #include "start.h"
 
 enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20, ADP_APPLICATION_EXIT = 0x20026 };
@@ -16,22 +17,23 @@ enum { CPACR_CP10_CP11 = 0xF << 20 }; /* FPU and MVE; on a core without them the
 extern uint32_t stack_top[];
 void reset(void);
 
-static void semihost(uintptr_t operation, const void *argument)
+intptr_t board_semihost(uintptr_t operation, const void *block)
 {
     register uintptr_t r0 __asm__("r0") = operation;
-    register const void *r1 __asm__("r1") = argument;
+    register const void *r1 __asm__("r1") = block;
     __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+    return (intptr_t)r0;
 }
 
 void board_print(const char *text)
 {
-    semihost(SYS_WRITE0, text);
+    board_semihost(SYS_WRITE0, text);
 }
 
 void board_exit(int code)
 {
     const uint32_t block[2] = {ADP_APPLICATION_EXIT, (uint32_t)code};
-    semihost(SYS_EXIT_EXTENDED, block);
+    board_semihost(SYS_EXIT_EXTENDED, block);
     for (;;) {
     }
 }

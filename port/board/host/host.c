@@ -16,6 +16,17 @@ void board_exit(int code)
     exit(code);
 }
 
+long board_read_file(const char *path, void *to, long bytes)
+{
+    FILE *file = fopen(path, "rb");
+    long read;
+    if (file == NULL)
+        return -1;
+    read = (long)fread(to, 1, (size_t)bytes, file);
+    fclose(file);
+    return read;
+}
+
 size_t board_stack_used(void)
 {
     return 0;
