@@ -18,10 +18,13 @@ static const char usage_text[] =
     "usage: stad-verify LEFT RIGHT [--mode sgbm|hh|3way|hh4|all] [--memory fast|small|both] [--color] [parameters of stad match]\n"
     "       stad-verify --random N [--seed S] [--mode ...] [--memory ...] [--stress | --ordinary]\n"
     "       stad-verify --width W --height H --channels C --scene KIND:SEED:X0:Y0:DMIN:DCOUNT [parameters]   (replays a case)\n"
+    "       stad-verify --bench SECONDS [LEFT RIGHT, or a case] [--mode ...] [--memory ...] [parameters]   (VGA)\n"
     "       stad-verify --golden   (prints the table of test/golden)\n"
     "Compares the library, a frame at once and row by row in a random order, with OpenCV on one thread. A mismatch is shrunk;\n"
     "its parameters, the first differing pixel and both values are printed. Values that OpenCV repairs in silence are\n"
     "normalised first. --subject reference [--mend QUIRK] checks the specification's reference, or a broken one, instead.\n"
+    "--bench times both in turn on one thread and prints how many times faster the library is: the median of the paired\n"
+    "ratios of thread-CPU time, and its quartiles. STAD_ISA=c|sse41|avx2|avx512 in the environment lowers the tier.\n"
     "Exit status: 0 equal, 1 different, 2 bad usage, 3 a file cannot be read.\n";
 
 struct Options {
@@ -32,7 +35,8 @@ struct Options {
     long random = -1;
     uint32_t seed = 1;
     int kinds = 2; // 0 ordinary, 1 stress, 2 in turns
-    bool color = false, replay = false, golden = false;
+    bool color = false, replay = false, golden = false, bench = false;
+    double seconds = 2;
     test_case one{};
     std::vector<std::string> files;
 };
@@ -156,6 +160,31 @@ static int run_one(Options &o)
     return 0;
 }
 
+static int run_bench(Options &o)
+{
+    if (!o.replay && o.files.empty()) {
+        o.one.width = 640, o.one.height = 480, o.one.channels = o.color ? 3 : 1;
+        o.one.view = scene{1, SCENE_SHIFT, 0, 0, o.one.params.min_disparity, o.one.params.num_disparities};
+    }
+    const Pair pair = o.files.empty() ? render(o.one) : load(o.files[0], o.files[1], o.color);
+    o.one.width = pair.width;
+    o.one.height = pair.height;
+    o.one.channels = pair.channels;
+    std::printf("OpenCV %s, one thread, thread-CPU time\n", oracle_version().c_str());
+    for (int mode : o.modes) {
+        for (int memory : o.memories) {
+            o.one.mode = mode;
+            o.one.memory = memory;
+            if (!case_defined(&o.one)) {
+                std::fprintf(stderr, "stad-verify: outside the defined domain (docs/SPEC.md, section 1) in mode %s\n", case_mode_name(mode));
+                return 2;
+            }
+            bench(o.one, pair, o.seconds);
+        }
+    }
+    return 0;
+}
+
 static long number(const char *name, const char *text, long lo, long hi)
 {
     char *end;
@@ -238,6 +267,9 @@ static void parse_number(Options &o, const std::string &name, const char *arg)
         p.speckle_range = int32_t(number("speckle-range", arg, 0, 4096));
     } else if (name == "random") {
         o.random = number("random", arg, 1, 100000000);
+    } else if (name == "bench") {
+        o.bench = true;
+        o.seconds = double(number("bench", arg, 1, 3600));
     } else if (name == "seed") {
         o.seed = uint32_t(number("seed", arg, 0, 0xffffffffL));
     } else if (name == "interleave") {
@@ -254,7 +286,7 @@ static Options parse(int argc, char **argv)
     static const char *const choices[] = {"mode", "memory", "subject", "mend", "scene"};
     static const char *const numbers[] = {"min-disparity", "num-disparities", "block-size", "p1", "p2", "disp12-max-diff",
                                           "pre-filter-cap", "uniqueness-ratio", "speckle-window-size", "speckle-range", "random",
-                                          "seed", "interleave", "width", "height", "channels"};
+                                          "seed", "interleave", "width", "height", "channels", "bench"};
     static const char *const flags[] = {"stress", "ordinary", "color", "gray", "golden", "help"};
     std::vector<option> table;
     for (const char *n : choices) table.push_back({n, required_argument, nullptr, 'c'});
@@ -298,6 +330,9 @@ int main(int argc, char **argv)
         if (o.golden) {
             print_golden();
             return 0;
+        }
+        if (o.bench && (o.files.empty() || o.files.size() == 2)) {
+            return run_bench(o);
         }
         if (o.random > 0 && o.files.empty()) {
             return run_random(o);

@@ -5,7 +5,6 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include <cstring>
 #include <stdexcept>
 
 #include "verify.hpp"
@@ -15,22 +14,44 @@ std::string oracle_version()
     return CV_VERSION;
 }
 
-std::vector<int16_t> oracle(const test_case &c, const Pair &pair)
+struct Rival::State {
+    cv::Mat left, right, disp;
+    cv::Ptr<cv::StereoSGBM> matcher;
+};
+
+Rival::Rival(const test_case &c, const Pair &pair) : state_(new State)
 {
     const stad_params &p = c.params;
     const int type = pair.channels == 3 ? CV_8UC3 : CV_8UC1;
-    const cv::Mat left(pair.height, pair.width, type, const_cast<uint8_t *>(pair.left.data()));
-    const cv::Mat right(pair.height, pair.width, type, const_cast<uint8_t *>(pair.right.data()));
-    cv::Mat disp;
     cv::setNumThreads(1);
-    cv::StereoSGBM::create(p.min_disparity, p.num_disparities, p.block_size, p.p1, p.p2, p.disp12_max_diff, p.pre_filter_cap,
-                           p.uniqueness_ratio, p.speckle_window_size, p.speckle_range, c.mode)
-        ->compute(left, right, disp);
-    std::vector<int16_t> out(size_t(pair.width) * size_t(pair.height));
-    for (int y = 0; y < pair.height; y++) {
-        std::memcpy(&out[size_t(y) * size_t(pair.width)], disp.ptr<int16_t>(y), size_t(pair.width) * sizeof(int16_t));
+    state_->left = cv::Mat(pair.height, pair.width, type, const_cast<uint8_t *>(pair.left.data()));
+    state_->right = cv::Mat(pair.height, pair.width, type, const_cast<uint8_t *>(pair.right.data()));
+    state_->matcher = cv::StereoSGBM::create(p.min_disparity, p.num_disparities, p.block_size, p.p1, p.p2, p.disp12_max_diff,
+                                             p.pre_filter_cap, p.uniqueness_ratio, p.speckle_window_size, p.speckle_range, c.mode);
+}
+
+Rival::~Rival() = default;
+
+void Rival::run()
+{
+    state_->matcher->compute(state_->left, state_->right, state_->disp);
+}
+
+std::vector<int16_t> Rival::disparity() const
+{
+    const cv::Mat &disp = state_->disp;
+    std::vector<int16_t> out;
+    for (int y = 0; y < disp.rows; y++) {
+        out.insert(out.end(), disp.ptr<int16_t>(y), disp.ptr<int16_t>(y) + disp.cols);
     }
     return out;
+}
+
+std::vector<int16_t> oracle(const test_case &c, const Pair &pair)
+{
+    Rival rival(c, pair);
+    rival.run();
+    return rival.disparity();
 }
 
 static cv::Mat read(const std::string &path, bool color)

@@ -4,6 +4,7 @@
 #define STAD_VERIFY_HPP
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,22 @@ const char *subject_name(Subject s);
 // cv::StereoSGBM::compute on one thread; throws what OpenCV throws.
 std::vector<int16_t> oracle(const test_case &c, const Pair &pair);
 std::string oracle_version();
+
+// A matcher of OpenCV's that is made once.
+class Rival {
+public:
+    Rival(const test_case &c, const Pair &pair);
+    ~Rival();
+    void run();
+    std::vector<int16_t> disparity() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+// Runs both in turn for about this long and prints the median of the paired ratios, with quartiles.
+void bench(const test_case &c, const Pair &pair, double seconds);
 
 Pair render(const test_case &c);
 Pair load(const std::string &left, const std::string &right, bool color); // throws std::runtime_error
