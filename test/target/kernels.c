@@ -377,6 +377,38 @@ static int case_median(void)
     return same();
 }
 
+/* Winners as the C kernel finds them, of either mode. */
+static int case_refine(void)
+{
+    static stad_best best[16];
+    const int32_t count = between(1, 16), n = between(1, DISPARITIES / 8) * 8;
+    fill_totals(count * n);
+    if (draw() % 2)
+        stad_best_row_3way_c(words_a, count, n, best);
+    else
+        stad_best_row_c(words_a, count, n, best);
+    stad_refine_row(words_a, best, count, n, mine.i16 + GUARD);
+    stad_refine_row_c(words_a, best, count, n, reference.i16 + GUARD);
+    return same();
+}
+
+/* Disparities around those voted for, some of them none; a vote may be missing. */
+static int case_check(void)
+{
+    const int32_t width = between(3, WIDTH), low = between(-20, 20), x0 = between(0, width - 1);
+    const stad_check_job job = {mine.i16 + GUARD, words_b, x0, between(x0, width), width, low, between(0, 3)};
+    stad_check_job job_c = job;
+    int32_t i, rejected;
+    job_c.disp = reference.i16 + GUARD;
+    for (i = 0; i < width; i++) {
+        words_b[i] = (int16_t)(draw() % 8 == 0 ? (low - 1) * 16 : low + between(0, 15));
+        mine.i16[GUARD + i] = (int16_t)(draw() % 4 == 0 ? (low - 1) * 16 : low * 16 + between(0, 255));
+        reference.i16[GUARD + i] = mine.i16[GUARD + i];
+    }
+    rejected = stad_check_row(&job);
+    return rejected == stad_check_row_c(&job_c) && same();
+}
+
 /* -- the table ------------------------------------------------------------------------------------------------------------ */
 
 typedef void (*any)(void);
@@ -389,7 +421,7 @@ typedef struct check {
 
 static const check *checks(int *count)
 {
-    static check all[17];
+    static check all[18];
     const check here[] = {CHECK(prefilter_row, case_prefilter),
                           CHECK(range_row, case_range),
                           CHECK(cost_row_u8, case_cost_u8),
@@ -405,6 +437,8 @@ static const check *checks(int *count)
                           CHECK(gather_row, case_gather),
                           CHECK(best_row, case_best),
                           CHECK(best_row_3way, case_best_3way),
+                          CHECK(refine_row, case_refine),
+                          CHECK(check_row, case_check),
                           CHECK(median_row, case_median)};
     *count = (int)(sizeof here / sizeof here[0]);
     memcpy(all, here, sizeof here);

@@ -15,6 +15,8 @@
 #define stad_gather_row       stad_gather_row_rvv
 #define stad_best_row         stad_best_row_rvv
 #define stad_best_row_3way    stad_best_row_3way_rvv
+#define stad_refine_row       stad_refine_row_rvv
+#define stad_check_row        stad_check_row_rvv
 #define stad_median_row       stad_median_row_rvv
 
 void stad_prefilter_row_rvv(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width,
@@ -29,6 +31,8 @@ void stad_path_row_rvv(const stad_path_job *job, stad_lane *lanes, int32_t lane_
 void stad_gather_row_rvv(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_rvv(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_rvv(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_refine_row_rvv(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine);
+int32_t stad_check_row_rvv(const stad_check_job *job);
 void stad_median_row_rvv(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
 #include "kernel/bind_c.h"
