@@ -53,7 +53,7 @@ def main():
     done = json.load(open(args.out)) if os.path.exists(args.out) else {}
     places = args.scene or [p for f in args.family for h in ("report", "design") for p in split(h, f)]
     print("| scene | GA % | distinct | best at | ncg at or below it after | ncg at 180 % | times fewer: calls | distinct | best at |\n" + "|---" * 9 + "|")
-    ratios, ahead = [], 0
+    ratios, ahead, families = [], 0, {}
     for place in places:
         scene, key = Scene(place), f"{args.cost}|{place}"
         if key not in done:
@@ -67,10 +67,17 @@ def main():
         times = [f"{n / there:.0f}" if there else "" for n in (CALLS, ga["distinct"], ga["at"])]
         ratios.append(ga["distinct"] / there if there else 0)
         ahead += there is not None
+        families.setdefault("Middlebury" if place.startswith("middlebury") else "driving", []).append((ga, ours))
         print(f"| {place} | {100 * ga['best'] / 2**20:.3f} | {ga['distinct']} | {ga['at']} | {there or 'never'} | {100 * min(ours) / 2**20:.3f} | "
               + " | ".join(times) + " |", flush=True)
     print(f"\nncg at or below the GA's best within {LIMIT} evaluations on {ahead} of {len(places)} scenes; "
           f"at least 20 times fewer than the GA's distinct points on {sum(r >= 20 for r in ratios)}, median ratio {statistics.median(ratios):.0f}")
+    for family, pairs in families.items():
+        mean = lambda values: statistics.mean(values) * 100 / 2**20
+        goal = mean(ga["best"] for ga, _ in pairs)
+        there = next((n for n in range(1, LIMIT + 1) if mean(min(c[:n]) for _, c in pairs) <= goal), None)
+        print(f"mean of {len(pairs)} {family} scenes: GA {goal:.3f} % with {statistics.mean(ga['distinct'] for ga, _ in pairs):.0f} distinct points; "
+              f"ncg at or below it after {there or 'never'} evaluations, at {LIMIT}: {mean(min(c) for _, c in pairs):.3f} %")
 
 
 if __name__ == "__main__":

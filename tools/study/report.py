@@ -97,6 +97,17 @@ def errors(scene, px, known):
     return bgr
 
 
+def thickened(picture, known):
+    """Sparse points grown over their neighbours that hold nothing, so that they survive being shrunk."""
+    out, held = picture.copy(), known.copy()
+    for dy in (-1, 0, 1):
+        for dx in (-1, 0, 1):
+            take = np.roll(known, (dy, dx), (0, 1)) & ~held
+            out[take] = np.roll(picture, (dy, dx), (0, 1))[take]
+            held |= take
+    return out
+
+
 def cell(picture, caption, width):
     """A picture shrunk to `width` with a line under it."""
     height = round(picture.shape[0] * width / picture.shape[1])
@@ -106,17 +117,18 @@ def cell(picture, caption, width):
     return np.pad(np.vstack([small, strip]), ((0, 4), (3, 3), (0, 0)), constant_values=255)
 
 
-def figure2(scene, kind, tuned, width=300):
+def figure2(scene, kind, tuned):
     """A picture: left frame over truth; then for default, sample and tuned the disparity over its error map."""
-    truth = scene.truth / 65536.0
+    truth, width = scene.truth / 65536.0, 420 if scene.truth.shape[1] > 1000 else 300
+    grown = lambda picture, known: thickened(picture, known) if (scene.truth != NONE).mean() < 0.5 else picture
     top = np.percentile(truth[scene.truth != NONE], 99.5) * 1.05
     columns = [[cell(cv2.cvtColor(scene.left, cv2.COLOR_GRAY2BGR), f"left frame, {scene.path}", width),
-                cell(coloured(truth, scene.truth != NONE, top), "truth", width)]]
+                cell(grown(coloured(truth, scene.truth != NONE, top), scene.truth != NONE), "truth", width)]]
     for name, x in (("default", DEFAULT), ("sample", sample()), ("tuned", tuned)):
         d = scene.disparity(x)
         px, known = d / 16.0, d >= 0
         columns.append([cell(coloured(px, known, top), f"{name} " + ",".join(map(str, x)), width),
-                        cell(errors(scene, px, known), f"{name}: {kind} {scene.cost(x, kind) * 100 / 2**20:.2f} %", width)])
+                        cell(grown(errors(scene, px, known), scene.label > 0), f"{name}: {kind} {scene.cost(x, kind) * 100 / 2**20:.2f} %", width)])
     return np.hstack([np.vstack(c) for c in columns])
 
 

@@ -114,7 +114,7 @@ def by_scene(kind, family, tab):
              "| scene | " + " | ".join(tab) + " |", "|---" * (len(tab) + 1) + "|"]
     for h in HALVES:
         for place in tab["default"][h]:
-            name = place.split("/")[1] + (" (r)" if h == "report" else "")
+            name = (place if family == "driving" else place.split("/")[1]) + (" (r)" if h == "report" else "")
             lines.append(f"| {name} | " + " | ".join(f"{tab[m][h][place][kind]:.2f}" for m in tab) + " |")
     return "\n".join(lines)
 
