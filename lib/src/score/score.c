@@ -37,14 +37,13 @@ static int first_column(const stad_score_config *c)
     return x > 0 ? x : 0;
 }
 
-static void count_error(stad_score *s, int visible, int32_t disp_q16, int32_t truth_q16)
+static void count_error(stad_score_counts *n, int32_t threshold_q16, int visible, int32_t disp_q16, int32_t truth_q16)
 {
-    stad_score_counts *n = &s->counts;
     const int64_t signed_error = (int64_t)disp_q16 - truth_q16;
     const int64_t error =
         signed_error < 0 ? -signed_error : signed_error; /* < 2^29: both sides are below 4096 px */
     const int64_t size = truth_q16 < 0 ? -(int64_t)truth_q16 : truth_q16;
-    const int wrong = error > s->config.threshold_q16;
+    const int wrong = error > threshold_q16;
     const int d1 = error > 3 * 65536 && error * 20 > size;
     if (!visible) {
         n->wrong_occluded += wrong;
@@ -63,17 +62,19 @@ void stad_score_row(stad_score *s, int y, const int16_t *disp_q4_row, const int3
                     const uint8_t *label_row, int width)
 {
     const int none_q4 = (s->config.min_disparity - 1) * 16;
+    stad_score_counts n = s->counts; /* counted apart from s, which any store might alias */
     (void)y;
     for (int x = first_column(&s->config); x < width; x++) {
         if (label_row[x] == STAD_LABEL_IGNORED || truth_q16_row[x] == STAD_TRUTH_NONE)
             continue;
         const int visible = label_row[x] == STAD_LABEL_VISIBLE;
         const int missing = disp_q4_row[x] <= none_q4;
-        s->counts.visible += visible;
-        s->counts.occluded += !visible;
-        s->counts.missing_visible += missing && visible;
-        s->counts.missing_occluded += missing && !visible;
+        n.visible += visible;
+        n.occluded += !visible;
+        n.missing_visible += missing & visible;
+        n.missing_occluded += missing & !visible;
         if (!missing)
-            count_error(s, visible, disp_q4_row[x] * 4096, truth_q16_row[x]);
+            count_error(&n, s->config.threshold_q16, visible, disp_q4_row[x] * 4096, truth_q16_row[x]);
     }
+    s->counts = n;
 }
