@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The tuner from Python: ladders by cost and channels, what it refuses, a search cut in two."""
+import os
+import sys
+
+try:
+    import numpy  # noqa: F401, the package needs it
+except ImportError:
+    print("SKIPPED: numpy is missing")
+    sys.exit(77)
+
+ROOT = os.environ.get("STAD_SOURCE") or os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+sys.path.insert(0, os.path.join(ROOT, "tools", "study"))
+from package import stadimeter  # noqa: E402
+
+START = dict(p1=72, p2=288, block_size=3, uniqueness_ratio=10, pre_filter_cap=63, disp12_max_diff=1)
+
+
+def cost_of(point):
+    return abs(point["p1"] - 40) / 4096 + abs(point["p2"] - 300) / 8192 + point["block_size"] / 64 + 1 / 128
+
+
+def points(tuner, count):
+    out = []
+    while len(out) < count and (point := tuner.ask()) is not None:
+        assert tuner.ask() == point, "asking twice gives the same point"
+        out.append(point)
+        tuner.tell(cost_of(point))
+    return out
+
+
+def test_tune_python_three_channels_scale_the_ladder():
+    grey, colour = (points(stadimeter.Tuner(START, purpose="chow", channels=c), 5) for c in (1, 3))
+    assert grey[0] == colour[0] == START
+    for one, three in zip(grey[1:], colour[1:]):
+        assert three == dict(one, p1=3 * one["p1"], p2=3 * one["p2"]), (one, three)
+
+
+def test_tune_python_d1_takes_the_ladder_of_bad():
+    assert points(stadimeter.Tuner(START, purpose="d1"), 4) == points(stadimeter.Tuner(START, purpose="bad"), 4)
+    assert points(stadimeter.Tuner(START, purpose="any"), 2) != points(stadimeter.Tuner(START, purpose="bad"), 2)
+
+
+def test_tune_python_state_resumes():
+    whole = points(stadimeter.Tuner(START, budget=120, seed=7), 120)
+    tuner = stadimeter.Tuner(START, budget=120, seed=7)
+    first = points(tuner, 90)
+    assert first + points(stadimeter.Tuner.restore(bytes(tuner)), 120) == whole and len(whole) == 120
+
+
+def test_tune_python_refuses_by_name():
+    tuner = stadimeter.Tuner(START)
+    for word, call in (("channels", lambda: stadimeter.Tuner(START, channels=2)), ("budget", lambda: stadimeter.Tuner(START, budget=241)),
+                       ("purpose", lambda: stadimeter.Tuner(START, purpose="rmse")), ("cost", lambda: tuner.tell(-1)),
+                       ("cost", lambda: tuner.tell(float("nan"))), ("p1", lambda: stadimeter.Tuner(START, limits={"p1": (9, 8)}))):
+        try:
+            call()
+        except ValueError as error:
+            assert word in str(error), (word, error)
+        else:
+            raise AssertionError(f"{word}: not refused")
+    assert tuner.ask() == START, "a refused cost leaves the point pending"
+    tuner.tell(stadimeter.FAILED)
+    assert tuner.trace()[0][1] == stadimeter.FAILED
+
+
+for name, test in list(globals().items()):
+    if name.startswith("test_"):
+        test()
+        print(f"{name}: PASS")
