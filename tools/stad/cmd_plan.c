@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../common/params_text.h"
+#include "plan_board.h"
 #include "stad/match.h"
 #include "tool.h"
 
@@ -21,6 +22,8 @@ static const char help[] =
     "  --max-p2 N                   the largest p2; up to 255 the small plan stores paths in bytes (32 C "
     "B^2)\n"
     "  --max-pre-filter-cap N       the largest cap (63)\n"
+    "  --board NAME                 what of it fits a board of port/board, and about how many instructions a "
+    "frame takes\n"
     "  --json                       one JSON object: {\"sgbm\": {\"fast\": {\"total\": N, \"parts\": ...}, "
     "\"small\": ...}, ...}\n\n"
     "Example: stad plan --width 320 --height 240 --num-disparities 64 --block-size 5\n";
@@ -46,6 +49,7 @@ static const struct option longs[] = {{"width", required_argument, NULL, PLAN_WI
                                       {"channels", required_argument, NULL, PLAN_CHANNELS},
                                       {"max-p2", required_argument, NULL, PLAN_P2},
                                       {"max-pre-filter-cap", required_argument, NULL, PLAN_CAP},
+                                      {"board", required_argument, NULL, 'b'},
                                       {"json", no_argument, NULL, 'j'},
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
@@ -53,7 +57,18 @@ static const struct option longs[] = {{"width", required_argument, NULL, PLAN_WI
 typedef struct plan_job {
     long v[PLAN_FIELDS];
     int json;
+    const plan_board *board; /* or NULL */
 } plan_job;
+
+static int read_board(plan_job *j, tool_fail *f)
+{
+    char names_of_all[256];
+    j->board = plan_board_named(optarg);
+    if (j->board)
+        return TOOL_OK;
+    plan_board_names(names_of_all, sizeof names_of_all);
+    return tool_fail_set(f, TOOL_USAGE, "--board %s: not one of %s", optarg, names_of_all);
+}
 
 static int read_options(plan_job *j, int argc, char **argv, tool_fail *f)
 {
@@ -65,6 +80,10 @@ static int read_options(plan_job *j, int argc, char **argv, tool_fail *f)
             return tool_usage(argv[0]);
         if (code == 'j')
             j->json = 1;
+        else if (code == 'b') {
+            if (read_board(j, f))
+                return tool_report(argv[0], f);
+        }
         else if (tool_whole(names[code], optarg, 1, INT16_MAX, &j->v[code], f))
             return tool_report(argv[0], f);
     }
@@ -110,7 +129,7 @@ static int geometry_of(const plan_job *j, int mode, int memory, stad_geometry *g
     return refused(j, culprit ? culprit : "", f);
 }
 
-static cJSON *plan_json(const stad_geometry *g)
+static cJSON *plan_json(const stad_geometry *g, const plan_board *board)
 {
     const char *name;
     size_t bytes;
@@ -120,7 +139,24 @@ static cJSON *plan_json(const stad_geometry *g)
         cJSON_AddNumberToObject(parts, name, (double)bytes);
     cJSON_AddItemToObject(o, "parts", parts);
     cJSON_AddNumberToObject(o, "speckle_labels", (double)STAD_SPECKLE_BYTES(g->width, g->height));
+    if (board) {
+        cJSON_AddNumberToObject(o, "board_left", (double)plan_board_left(board, g));
+        if (plan_board_instructions(board, g) > 0)
+            cJSON_AddNumberToObject(o, "board_instructions", plan_board_instructions(board, g));
+    }
     return o;
+}
+
+/* One line a plan: what is left of the board's memory, what a frame takes. */
+static void print_fit(const stad_geometry *g, const plan_board *board)
+{
+    const long left = plan_board_left(board, g);
+    const double instructions = plan_board_instructions(board, g);
+    printf("%-5s %-6s %10zu bytes  %s %ld %s", params_mode_name(g->mode), g->memory == STAD_MEMORY_FAST ? "fast" : "small",
+           stad_match_bytes(g), left >= 0 ? "fits," : "does NOT fit,", left >= 0 ? left : -left, left >= 0 ? "left" : "too many");
+    if (left >= 0 && instructions > 0)
+        printf("; about %.1f million instructions a frame", instructions / 1e6);
+    putchar('\n');
 }
 
 static void print_plan(const stad_geometry *g)
@@ -139,14 +175,19 @@ static int work(const plan_job *j, tool_fail *f)
 {
     static const char *const plans[2] = {"fast", "small"};
     cJSON *all = cJSON_CreateObject();
-    int status = TOOL_OK;
+    stad_geometry first;
+    int status = geometry_of(j, 0, 0, &first, f);
+    if (status == TOOL_OK && j->board && !j->json)
+        plan_board_print(j->board, &first);
     for (int mode = 0; mode < 4 && status == TOOL_OK; mode++) {
         cJSON *both = cJSON_AddObjectToObject(all, params_mode_name(mode));
         for (int memory = 0; memory < 2 && status == TOOL_OK; memory++) {
             stad_geometry g;
             status = geometry_of(j, mode, memory, &g, f);
             if (status == TOOL_OK && j->json)
-                cJSON_AddItemToObject(both, plans[memory], plan_json(&g));
+                cJSON_AddItemToObject(both, plans[memory], plan_json(&g, j->board));
+            else if (status == TOOL_OK && j->board)
+                print_fit(&g, j->board);
             else if (status == TOOL_OK)
                 print_plan(&g);
         }
@@ -167,7 +208,7 @@ static int work(const plan_job *j, tool_fail *f)
 
 int cmd_plan(int argc, char **argv)
 {
-    plan_job j = {{0}, 0};
+    plan_job j = {{0}, 0, NULL};
     tool_fail f = {0};
     j.v[PLAN_BLOCK] = 3;
     j.v[PLAN_CHANNELS] = 1;
