@@ -19,6 +19,7 @@ static const char help[] =
     "  --side-by-side               pictures that hold both views\n"
     "  --size WxH                   FOLDER is a file of 8-bit frames, left and right in turns\n"
     "  --frames N                   at most the first N\n"
+    "  --jobs N                     so many frames at a time, the same result (1)\n"
     "  --keep-going                 report and skip frames that cannot be read (else: stop, what was done is "
     "written)\n"
     "  --csv FILE, --json FILE      every frame; alarms, runs, the setup in use and stored\n"
@@ -42,6 +43,7 @@ enum {
     OPT_SIDE = 1,
     OPT_SIZE,
     OPT_LIMIT,
+    OPT_JOBS,
     OPT_KEEP,
     OPT_CSV,
     OPT_JSON,
@@ -67,6 +69,7 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"side-by-side", no_argument, NULL, OPT_SIDE},
                                       {"size", required_argument, NULL, OPT_SIZE},
                                       {"frames", required_argument, NULL, OPT_LIMIT},
+                                      {"jobs", required_argument, NULL, OPT_JOBS},
                                       {"keep-going", no_argument, NULL, OPT_KEEP},
                                       {"csv", required_argument, NULL, OPT_CSV},
                                       {"json", required_argument, NULL, OPT_JSON},
@@ -167,6 +170,8 @@ static int take(simulation *s, int code, tool_fail *f)
         return tool_out_check(optarg, f);
     case OPT_SIZE:
         return take_size(s, optarg, f);
+    case OPT_JOBS:
+        return tool_whole("jobs", optarg, 1, 256, &s->jobs, f);
     case OPT_LIMIT:
         return tool_whole("frames", optarg, 1, INT32_MAX, &s->limit, f);
     case OPT_FOCAL:
@@ -247,6 +252,7 @@ int cmd_simulate(int argc, char **argv)
     s.bad.gain = 100;
     s.calibrate_at = s.probation_frames = -1;
     s.evaluations_per_frame = 4;
+    s.jobs = 1;
     s.command = report_command(argc, argv);
     int status = read_options(&s, argc, argv, &f);
     if (status < 0)

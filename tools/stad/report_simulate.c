@@ -45,25 +45,44 @@ static void signal_plot(report *r, const simulation *s)
           r->to);
 }
 
+/* What decided, by enum stad_calib_outcome. */
+static const char *decision(int outcome)
+{
+    static const char *const reasons[] = {"under way",
+                                          "the rig is sound: nothing to do",
+                                          "better on the other pose, by the margin",
+                                          "the correction was confirmed; no other set held on the other pose",
+                                          "nothing held on the other pose",
+                                          "worse on probation: the set before came back",
+                                          "no marks were seen in time",
+                                          "the target was not shown in another pose",
+                                          "no small correction makes the rows agree",
+                                          "too many frames of no use",
+                                          "called off"};
+    return outcome >= 0 && outcome < (int)(sizeof reasons / sizeof reasons[0]) ? reasons[outcome] : "?";
+}
+
 static void runs(report *r, const simulation *s)
 {
+    if (s->run_count == 0) {
+        fputs("<p>No run ended: nothing was adopted and nothing stored.</p>\n", r->to);
+        return;
+    }
     fputs("<table><tr><th>run ended at frame</th><th>outcome</th><th>last "
           "fault</th><th>evaluations</th><th>tuning pose</th><th>other "
-          "pose</th></tr>\n",
+          "pose</th><th>why</th></tr>\n",
           r->to);
     for (int i = 0; i < s->run_count; i++) {
         const stad_calib_report *c = &s->runs[i].report;
         fprintf(r->to,
                 "<tr><td>%d</td><td>%s</td><td>%s</td><td>%d</td><td>%.2f &rarr; %.2f %%</td><td>%.2f &rarr; "
-                "%.2f %%</td></tr>\n",
+                "%.2f %%</td><td>%s</td></tr>\n",
                 s->runs[i].frame, simulate_outcome_name(c->outcome), simulate_fault_name(c->fault),
                 c->evaluations, 100.0 * c->tune_before_q20 / STAD_COST_ONE,
                 100.0 * c->tune_after_q20 / STAD_COST_ONE, 100.0 * c->judge_before_q20 / STAD_COST_ONE,
-                100.0 * c->judge_after_q20 / STAD_COST_ONE);
+                100.0 * c->judge_after_q20 / STAD_COST_ONE, decision(c->outcome));
     }
-    fprintf(r->to, "</table>\n<p>%s</p>\n",
-            s->run_count ? "Adopted is only what was better on a pose it was not tuned on."
-                         : "No run ended: nothing was adopted and nothing stored.");
+    fputs("</table>\n<p>Adopted is only what was better on a pose it was not tuned on.</p>\n", r->to);
 }
 
 static void setups(report *r, const simulation *s)
@@ -113,7 +132,7 @@ static int map_with(simulation *s, const stad_setup *setup, int frame, picture *
     if (status == TOOL_OK)
         status = straighten(setup, &right, f);
     if (status == TOOL_OK)
-        status = engine_run(&s->live, &setup->params, &left, &right, &d, NULL, f);
+        status = engine_run(&s->ahead.frame[0].engine, &setup->params, &left, &right, &d, NULL, f);
     if (status == TOOL_OK)
         status = colour_disparity(map, &d, setup->params.num_disparities, f);
     picture_free(&left);
@@ -147,7 +166,7 @@ int simulate_write_report(simulation *s, tool_fail *f)
     int status = report_open(&r, s->report, "A board, simulated", s->rig.focal_px * s->rig.baseline_m, f);
     if (status)
         return status;
-    fprintf(r.to, "<p>%d frames, %d skipped, %d alarms, %d runs.</p>\n", s->row_count, s->skipped, s->alarms,
+    fprintf(r.to, "<p>Frames: %d, skipped: %d, alarms: %d, runs: %d.</p>\n", s->row_count, s->skipped, s->alarms,
             s->run_count);
     if (s->row_count)
         signal_plot(&r, s);

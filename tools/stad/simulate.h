@@ -8,6 +8,7 @@
 #include "match_options.h"
 #include "recording.h"
 #include "report.h"
+#include "simulate_ahead.h"
 #include "stad/calib.h"
 #include "stad/store.h"
 
@@ -45,12 +46,13 @@ typedef struct simulation {
     double cx, cy; /* principal point, px; negative = the middle */
     degrade bad;
     int side_by_side, raw_width, raw_height, keep_going, color;
-    long calibrate_at, evaluations_per_frame, learn_frames, probation_frames, budget, limit;
+    long calibrate_at, evaluations_per_frame, learn_frames, probation_frames, budget, limit, jobs;
     int cost;
     unsigned long long given; /* options, as TOOL_BIT */
     /* the board */
     recording frames;
-    engine live;
+    stad_geometry geometry;
+    ahead ahead;
     stad_calib calib;
     stad_evaluator evaluator;
     void *work;

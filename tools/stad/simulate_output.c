@@ -63,8 +63,8 @@ static void print_run(const sim_run *r)
 void simulate_print(const simulation *s)
 {
     const stad_calib_report *now = stad_calib_report_of(&s->calib);
-    printf("%d frames of %d x %d", s->row_count - s->skipped, s->live.geometry.width,
-           s->live.geometry.height);
+    printf("%d frames of %d x %d", s->row_count - s->skipped, s->geometry.width,
+           s->geometry.height);
     if (s->skipped)
         printf(", %d skipped", s->skipped);
     printf(", %.1f a second\n", s->seconds > 0 ? (s->row_count - s->skipped) / s->seconds : 0.0);

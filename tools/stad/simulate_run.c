@@ -76,7 +76,10 @@ static int set_up(simulation *s, const picture *left, tool_fail *f)
     if (status)
         return status;
     stad_geometry g = geometry_of(s, &p, left);
-    status = engine_open(&s->live, &g, f);
+    const int end = s->limit && s->limit < s->frames.count ? (int)s->limit : s->frames.count;
+    const ahead_job job = {&s->frames, &s->bad, s->options.color, end};
+    s->geometry = g;
+    status = ahead_open(&s->ahead, &job, (int)s->jobs, &g, f);
     if (status == TOOL_OK)
         status = take_work(s, &g, f);
     memset(&s->initial, 0, sizeof s->initial);
@@ -90,38 +93,14 @@ static int set_up(simulation *s, const picture *left, tool_fail *f)
     return status ? status : start_calib(s, &g, left, f);
 }
 
-/* The right view as the setup in use corrects it. */
-static int corrected(const simulation *s, const picture *right, picture *out, tool_fail *f)
+/* What the monitor makes of a frame that was matched. */
+static void count_live(simulation *s, const ahead_frame *frame, sim_row *row)
 {
-    const stad_setup *in_use = stad_calib_setup(&s->calib);
-    const stad_image image = picture_view(right);
-    int status = picture_alloc(out, right->width, right->height, right->channels, f);
-    size_t row = (size_t)right->width * (size_t)right->channels;
-    if (status == TOOL_OK && !in_use->corrected)
-        memcpy(out->pix, right->pix, row * (size_t)right->height);
-    for (int y = 0; y < right->height && status == TOOL_OK && in_use->corrected; y++)
-        if (stad_rig_row(&in_use->rig, &image, y, out->pix + (size_t)y * row) != STAD_OK)
-            status = tool_fail_set(f, TOOL_FILE, "the correction in use does not fit the frames");
-    return status;
-}
-
-static int match_live(simulation *s, const picture *left, const picture *right, sim_row *row, tool_fail *f)
-{
-    picture straight = {0};
-    disparity d = {0};
-    row->params = stad_calib_setup(&s->calib)->params;
-    int status = corrected(s, right, &straight, f);
-    if (status == TOOL_OK)
-        status = engine_run(&s->live, &row->params, left, &straight, &d, NULL, f);
-    if (status == TOOL_OK) {
-        row->counts = *stad_match_counts_of(&s->live.match);
-        row->state = stad_calib_counts(&s->calib, &row->counts);
-        row->share = row->counts.considered > 0 ? (double)row->counts.firm / row->counts.considered : 0;
-        s->alarms += row->state == STAD_MONITOR_DEGRADED;
-    }
-    picture_free(&straight);
-    disparity_free(&d);
-    return status;
+    row->params = frame->setup.params;
+    row->counts = frame->counts;
+    row->state = stad_calib_counts(&s->calib, &row->counts);
+    row->share = row->counts.considered > 0 ? (double)row->counts.firm / row->counts.considered : 0;
+    s->alarms += row->state == STAD_MONITOR_DEGRADED;
 }
 
 static int hold(picture *to, const picture *from, tool_fail *f)
@@ -190,23 +169,17 @@ static int serve(simulation *s, int frame, const picture *left, const picture *r
 
 static int play(simulation *s, int i, tool_fail *f)
 {
-    picture left, right;
     sim_row *row = &s->rows[s->row_count];
-    int status = recording_read(&s->frames, i, s->options.color, &left, &right, f);
-    if (status == TOOL_OK && (left.width != s->live.geometry.width || left.height != s->live.geometry.height))
-        status = tool_fail_set(f, TOOL_FILE, "%s: frame %d is %d x %d, those before were %d x %d", s->where,
-                               i, left.width, left.height, s->live.geometry.width, s->live.geometry.height);
-    if (status == TOOL_OK)
-        status = degrade_pair(&s->bad, i, &left, &right, f);
+    const ahead_frame *frame = ahead_take(&s->ahead, i, stad_calib_setup(&s->calib));
+    int status = frame->status;
+    *f = frame->fail;
     if (status == TOOL_OK && i == s->calibrate_at)
         stad_calib_start(&s->calib);
     if (status == TOOL_OK)
-        status = match_live(s, &left, &right, row, f);
+        count_live(s, frame, row);
     note_run(s, i);
     if (status == TOOL_OK)
-        status = serve(s, i, &left, &right, s->evaluations_per_frame, f);
-    picture_free(&left);
-    picture_free(&right);
+        status = serve(s, i, &frame->left, &frame->right, s->evaluations_per_frame, f);
     row->frame = i;
     row->phase = stad_calib_report_of(&s->calib)->phase;
     return status;
@@ -317,7 +290,7 @@ void simulate_free(simulation *s)
 {
     for (int i = 0; i < 4; i++)
         picture_free(&s->held[i / 2][i % 2]);
-    engine_close(&s->live);
+    ahead_close(&s->ahead);
     free(s->work);
     free(s->rows);
     free(s->command);
