@@ -22,8 +22,10 @@
 extern "C" {
 #endif
 
-/* Bytes of a row and of a frame of winners: 8 a pixel. */
-#define STAD_WINNERS_ROW(width)           ((size_t)(width) * 8)
+/* Bytes of a row of winners: 8 a pixel. */
+#define STAD_WINNERS_ROW(width) ((size_t)(width) * 8)
+
+/* Bytes of a frame of them. */
 #define STAD_WINNERS_BYTES(width, height) (STAD_WINNERS_ROW(width) * (size_t)(height))
 
 /* The winners of one frame. Private. */
