@@ -1,24 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""report.py LCOV FOLDER UNREACHED MIN - branch sides taken, a file a line; unexplained ones and stale explanations by line.
+"""report.py COVERAGE FOLDER UNREACHED MIN - branch sides taken, a file a line; unexplained ones and stale explanations by line.
 
 A line of UNREACHED: file, tab, text of the source line (trimmed), tab, the number of its sides not taken, tab, why."""
 import collections
+import json
 import sys
 
 
-def read(lcov, folder):
-    """{file: {line: [taken, of]}}; the same branch of several instantiations is taken when one of them took it."""
-    sides = collections.defaultdict(dict)
-    path = None
-    for text in open(lcov):
-        key, _, value = text.strip().partition(":")
-        if key == "SF":
-            path = value[len(folder) + 1 :] if value.startswith(folder) else None
-        elif key == "BRDA" and path:
-            line, block, branch, count = value.split(",")
-            side = (int(line), block, branch)
-            sides[path][side] = max(sides[path].get(side, 0), 0 if count == "-" else int(count))
+def read(path, folder):
+    """{file: {(line, columns, side): times taken}}; inline functions are counted over all files that hold them."""
+    sides = collections.defaultdict(collections.Counter)
+    for file in json.load(open(path))["data"][0]["files"]:
+        if file["filename"].startswith(folder):
+            for line, column, line_end, column_end, taken, not_taken, *_ in file["branches"]:
+                place = sides[file["filename"][len(folder) + 1 :]]
+                place[line, column, line_end, column_end, True] += taken
+                place[line, column, line_end, column_end, False] += not_taken
     return sides
 
 
@@ -32,12 +30,12 @@ def listed(path):
 
 
 def main():
-    lcov, folder, unreached, least = sys.argv[1:]
-    sides, reasons = read(lcov, folder), listed(unreached)
+    coverage, folder, unreached, least = sys.argv[1:]
+    sides, reasons = read(coverage, folder), listed(unreached)
     total = missed = bad = 0
     for path in sorted(sides):
         source = open(f"{folder}/{path}").read().splitlines()
-        not_taken = collections.Counter(source[line - 1].strip() for (line, _, _), n in sides[path].items() if n == 0)
+        not_taken = collections.Counter(source[line - 1].strip() for (line, *_), n in sides[path].items() if n == 0)
         count, miss = len(sides[path]), sum(not_taken.values())
         total, missed = total + count, missed + miss
         print(f"{path:28} {count - miss:4} of {count:4} branch sides{'' if miss == 0 else f', {100 * (count - miss) / count:.1f} %'}")

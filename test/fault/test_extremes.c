@@ -152,6 +152,28 @@ void test_tune_fixed_zero_on_a_power_axis(void)
     TEST_ASSERT_GREATER_THAN(100, turns);
 }
 
+/* A grid of even numbers has no odd one, and differences of coordinates must fit 32 bits. */
+void test_tune_axes_that_no_point_fits_are_refused(void)
+{
+    stad_tune_config c;
+    const char *culprit = NULL;
+    stad_tune_config_stereo(&c, STAD_TUNE_FOR_ANY);
+    c.axis[STAD_TUNE_BLOCK_SIZE].lo = c.axis[STAD_TUNE_BLOCK_SIZE].hi = 8;
+    TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_tune_config_check(&c, &culprit));
+    TEST_ASSERT_EQUAL_STRING("block_size", culprit);
+    c.axis[STAD_TUNE_BLOCK_SIZE].hi = 9;
+    TEST_ASSERT_EQUAL(STAD_OK, stad_tune_config_check(&c, &culprit));
+    stad_tune_axis wide = {-STAD_TUNE_UNITS, STAD_TUNE_UNITS, 1, STAD_TUNE_LINEAR, 1};
+    c.axis[STAD_TUNE_P1] = c.axis[STAD_TUNE_P2] = wide;
+    TEST_ASSERT_EQUAL(STAD_OK, stad_tune_config_check(&c, &culprit));
+    c.axis[STAD_TUNE_P1].lo--;
+    TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_tune_config_check(&c, &culprit));
+    TEST_ASSERT_EQUAL_STRING("p1", culprit);
+    c.axis[STAD_TUNE_P1].lo++;
+    c.axis[STAD_TUNE_P2].hi++;
+    TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_tune_config_check(&c, &culprit));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -164,5 +186,6 @@ int main(void)
     RUN_TEST(test_score_blind_with_impossible_speckles_stays_a_cost);
     RUN_TEST(test_score_labels_of_the_farthest_truth);
     RUN_TEST(test_tune_fixed_zero_on_a_power_axis);
+    RUN_TEST(test_tune_axes_that_no_point_fits_are_refused);
     return UNITY_END();
 }

@@ -54,7 +54,7 @@ static int32_t cost_of(const stad_point *x, int shape, const bytes *b, int turn)
         sum += shape % 4 == 0 ? v * v : shape % 4 == 1 ? v * (i + 1) : shape % 4 == 2 ? (v * 2654435761) % 9973 : 7;
     }
     int die = b->left ? b->at[(size_t)turn % b->left] : 0;
-    sum = shape & 8 ? sum << (die % 24) : sum;
+    sum = shape & 8 ? (sum < 0 ? -sum : sum) << (die % 24) : sum;
     sum = shape & 16 ? INT32_MAX - 1 - (sum < 0 ? -sum : sum) % 1000000 : sum;
     if (shape & 32 && die % 5 == 0) {
         return STAD_COST_FAILED;

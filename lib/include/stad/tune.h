@@ -40,6 +40,9 @@ enum stad_tune_dim {
 };
 #define STAD_TUNE_DIMS 6 /* coordinates */
 
+/* Farthest that a LINEAR coordinate reaches from zero, in units: differences of coordinates fit 32 bits in steps of 1 / 65536. */
+#define STAD_TUNE_UNITS 8192
+
 /* A point. */
 typedef struct stad_point {
     int16_t v[STAD_TUNE_DIMS]; /* by enum stad_tune_dim */
@@ -65,7 +68,7 @@ enum stad_tune_scale {
 
 /* A coordinate's range and steps. */
 typedef struct stad_tune_axis {
-    int16_t lo, hi; /* inclusive; lo >= 1 for all but LINEAR */
+    int16_t lo, hi; /* inclusive; lo >= 1 for all but LINEAR; LINEAR: within STAD_TUNE_UNITS units of zero */
     int16_t
         unit; /* >= 1. LINEAR: integers per step; LOG2 and AREA: only lo, lo + unit, lo + 2 unit, ... are asked for */
     uint8_t scale; /* enum stad_tune_scale */

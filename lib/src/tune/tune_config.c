@@ -39,7 +39,11 @@ static int axis_sound(const stad_tune_axis *a)
 {
     if (a->scale > STAD_TUNE_POWER || a->lo > a->hi || a->unit < 1)
         return 0;
-    return a->scale == STAD_TUNE_LINEAR || a->lo >= 1;
+    if (a->scale == STAD_TUNE_ODD && a->lo == a->hi && a->lo % 2 == 0)
+        return 0; /* no odd number within */
+    if (a->scale != STAD_TUNE_LINEAR)
+        return a->lo >= 1;
+    return a->lo >= -STAD_TUNE_UNITS * a->unit && a->hi <= STAD_TUNE_UNITS * a->unit;
 }
 
 static int refuse(const char **culprit, const char *field)
