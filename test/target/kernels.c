@@ -392,6 +392,38 @@ static int case_refine(void)
     return same();
 }
 
+/* Runs of winners whose votes meet, of either rule. */
+static int case_select(void)
+{
+    static stad_best best[16];
+    static int16_t fine[16], votes[2][2][WIDTH];
+    static uint8_t confidence[2][WIDTH];
+    const int32_t width = between(16, WIDTH), count = between(1, 16), low = between(-20, 20), top = draw() % 2 ? between(1, 20) * 1600 : 9;
+    stad_select_job job = {best, fine, between(0, width - count), count, width, low, between(0, 99), draw() % 4 == 0,
+                           mine.i16 + GUARD, votes[0][0], votes[0][1], draw() % 4 == 0 ? confidence[0] : NULL, 3, 5};
+    stad_select_job job_c = job;
+    int32_t i;
+    for (i = 0; i < count; i++) {
+        best[i].index = (int16_t)between(0, 20);
+        best[i].least = (int16_t)between(0, top);
+        best[i].runner_up = (int16_t)between(best[i].least, 32767 - (32767 - top) * (int32_t)(draw() % 2));
+        fine[i] = (int16_t)(16 * best[i].index + between(-7, 8));
+    }
+    for (i = 0; i < width; i++) {
+        votes[0][0][i] = votes[1][0][i] = (int16_t)between(-20, 40);
+        votes[0][1][i] = votes[1][1][i] = (int16_t)(draw() % 2 ? 32767 : between(0, top));
+        confidence[0][i] = confidence[1][i] = 0;
+    }
+    job_c.disp = reference.i16 + GUARD;
+    job_c.vote_disp = votes[1][0];
+    job_c.vote_cost = votes[1][1];
+    job_c.confidence = job.confidence ? confidence[1] : NULL;
+    stad_select_row(&job);
+    stad_select_row_c(&job_c);
+    return same() && job.firm == job_c.firm && job.rejected == job_c.rejected &&
+           memcmp(votes[0], votes[1], sizeof votes[0]) == 0 && memcmp(confidence[0], confidence[1], WIDTH) == 0;
+}
+
 /* Disparities around those voted for, some of them none; a vote may be missing. */
 static int case_check(void)
 {
@@ -421,7 +453,7 @@ typedef struct check {
 
 static const check *checks(int *count)
 {
-    static check all[18];
+    static check all[19];
     const check here[] = {CHECK(prefilter_row, case_prefilter),
                           CHECK(range_row, case_range),
                           CHECK(cost_row_u8, case_cost_u8),
@@ -438,6 +470,7 @@ static const check *checks(int *count)
                           CHECK(best_row, case_best),
                           CHECK(best_row_3way, case_best_3way),
                           CHECK(refine_row, case_refine),
+                          CHECK(select_row, case_select),
                           CHECK(check_row, case_check),
                           CHECK(median_row, case_median)};
     *count = (int)(sizeof here / sizeof here[0]);

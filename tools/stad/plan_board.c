@@ -17,10 +17,10 @@ struct plan_board {
 #define M3   {178.6, 269.9, 148.6, 227.7}
 #define M4   {84.8, 121.5, 71.9, 106.9}
 #define M7   {84.7, 121.4, 71.8, 106.8}
-#define M55  {23.8, 34.7, 20.9, 30.5}
+#define M55  {23.7, 34.6, 20.8, 30.4}
 #define RV32 {153.9, 229.4, 127.3, 196.7}
 #define RV_V {13.9, 21.6, 13.1, 19.5}
-#define A53  {21.8, 33.4, 19.5, 28.9}
+#define A53  {17.0, 27.8, 16.5, 24.8}
 #define NONE {0, 0, 0, 0}
 
 static const plan_board boards[] = {{"mps2-an385", "Cortex-M3", 4l << 20, 4l << 20, M3},

@@ -18,17 +18,28 @@ static inline plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_
     return pair;
 }
 
+#if !VEC_FOURS
+/* No loads of several vectors: each when it is needed. */
+typedef struct vec_rows_u8 {
+    int value, low, high;
+} vec_rows_u8;
+#    define vec_load_rows_u8(value, low, high, groups) {0, 0, 0}
+#    define vec_row_u8(row, from, k)                   vec_load_u8((from) + 16 * (k))
+#endif
+
 /* The distances of `groups` times 16 disparities from the d-th on. */
 static inline __attribute__((always_inline)) void distances(const plane_pair *p, int32_t d, int32_t groups, vec *out)
 {
     const uint8_t value_u8 = p->left[0], low_u8 = p->left[p->width], high_u8 = p->left[2 * p->width];
     const vec value = vec_set_u8(value_u8), low = vec_set_u8(low_u8);
     const uint8_t *right = p->right + d, *right_low = right + p->width, *right_high = right_low + p->width;
-#pragma GCC unroll 4
+    const vec_rows_u8 rows = vec_load_rows_u8(right, right_low, right_high, groups);
+    (void)rows;
+#pragma GCC unroll 2
     for (int32_t k = 0; k < groups; k++) {
-        const vec there = vec_load_u8(right + 16 * k);
-        const vec to_right = vec_max_u8(vec_sub_floor_u8(value, vec_load_u8(right_high + 16 * k)),
-                                        vec_sub_floor_scalar_u8(vec_load_u8(right_low + 16 * k), value_u8));
+        const vec there = vec_row_u8(rows.value, right, k);
+        const vec to_right = vec_max_u8(vec_sub_floor_u8(value, vec_row_u8(rows.high, right_high, k)),
+                                        vec_sub_floor_scalar_u8(vec_row_u8(rows.low, right_low, k), value_u8));
         const vec to_left = vec_max_u8(vec_sub_floor_scalar_u8(there, high_u8), vec_sub_floor_u8(low, there));
         out[k] = vec_min_u8(to_right, to_left);
     }
@@ -49,9 +60,9 @@ static inline __attribute__((always_inline)) void run_u8(const stad_cost_job *jo
         vec whole[2], quarter[2];
         distances(&gradient, d, groups, whole);
         distances(&intensity, d, groups, quarter);
-#pragma GCC unroll 4
+#pragma GCC unroll 2
         for (int32_t k = 0; k < groups; k++)
-            vec_store_u8(cost + 16 * k, vec_add_u8(whole[k], vec_shift_right_u8(quarter[k], 2)));
+            vec_store_u8(cost + 16 * k, vec_add_quarter_u8(whole[k], quarter[k]));
         gradient.left++;
         gradient.right--;
         intensity.left++;

@@ -57,6 +57,45 @@ ALWAYS_INLINE void eight(state *s, const track *t, int32_t d, int first, const i
     VEC_IN_ORDER;
 }
 
+#if VEC_FOURS
+/* Thirty-two disparities of a lane. */
+ALWAYS_INLINE vec4 step_32(state *s, const track *t, int first, const vec4 *cost, int32_t p1)
+{
+    const vec4 below = vec4_load(t->from - 1), here = vec4_load(t->from), above = vec4_load(t->from + 1);
+    vec4 path;
+#pragma GCC unroll 4
+    for (int j = 0; j < 4; j++) {
+        const vec side = vec_add_scalar(vec_min_u16(below.val[j], above.val[j]), p1);
+        path.val[j] = vec_path(cost->val[j], vec_min_u16(here.val[j], side), s->delta);
+        s->least = first && j == 0 ? path.val[j] : vec_min_u16(s->least, path.val[j]);
+    }
+    vec4_store(t->to, path);
+    return path;
+}
+
+ALWAYS_INLINE void add_sat_32(vec4 *sum, vec4 more)
+{
+#pragma GCC unroll 4
+    for (int j = 0; j < 4; j++)
+        sum->val[j] = vec_add_sat(sum->val[j], more.val[j]);
+}
+
+/* Thirty-two disparities of all lanes. */
+ALWAYS_INLINE void thirty_two(state *s, const track *t, int first, const int16_t *block, int16_t *total, int32_t p1, int count,
+                              enum total_use use)
+{
+    const vec4 cost = vec4_load(block);
+    vec4 sum = step_32(&s[0], &t[0], first, &cost, p1);
+#pragma GCC unroll 4
+    for (int k = 1; k < count; k++)
+        add_sat_32(&sum, step_32(&s[k], &t[k], first, &cost, p1));
+    if (use == TOTAL_ADD)
+        add_sat_32(&sum, vec4_load(total));
+    if (use != TOTAL_NONE)
+        vec4_store(total, sum);
+}
+#endif
+
 /* One pixel of `count` lanes: `groups` times `size` disparities, or `size` only. All but r, t, groups and the pointers are
  * constants. */
 ALWAYS_INLINE void pixel(const run *r, const int16_t **block, int16_t **total, track *t, int count, int turns, int only,
@@ -67,6 +106,11 @@ ALWAYS_INLINE void pixel(const run *r, const int16_t **block, int16_t **total, t
     for (int k = 0; k < count; k++)
         enter_pixel(&s[k], &t[k], turns && k == 0, r->p2);
     for (int32_t i = only ? 1 : groups; i > 0; i--) {
+#if VEC_FOURS
+        if (size == 32)
+            thirty_two(s, t, only, *block, *total, r->p1, count, use);
+        else
+#endif
 #pragma GCC unroll 4
         for (int32_t d = 0; d < size; d += 8)
             eight(s, t, d, only && d == 0, *block, *total, r->p1, count, use);

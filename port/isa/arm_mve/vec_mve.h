@@ -11,6 +11,8 @@
 #define STAD_TIER(name) name##_mve
 #define VEC_ABREAST     2 /* lanes of the path kernel that 8 registers hold */
 
+#define VEC_FOURS 0 /* no loads of four vectors */
+
 /* Keeps the compiler from mixing groups of 8: it would run out of its 8 vector registers. */
 #define VEC_IN_ORDER __asm__ volatile("" ::: "memory")
 
@@ -63,6 +65,8 @@ typedef vec vec_limit;
 #define vec_limit_of(v)              vec_set(v)
 #define vec_path_block(cost)         (cost)
 #define vec_path(cost, reach, limit) vec_sub(cost, vec_sub_floor(limit, reach))
+
+#define vec_add_quarter_u8(a, b) vec_add_u8(a, vec_shift_right_u8(b, 2))
 
 static inline uint16_t vec_least(vec v)
 {

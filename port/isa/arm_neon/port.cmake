@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-target_sources(stadimeter PRIVATE ${STAD_PORT_DIR}/kernels_neon.c)
+target_sources(stadimeter PRIVATE ${STAD_PORT_DIR}/kernels_neon.c ${STAD_PORT_DIR}/select_row_neon.c)

@@ -16,6 +16,7 @@
 #define stad_gather_row       stad_gather_row_neon
 #define stad_best_row         stad_best_row_neon
 #define stad_best_row_3way    stad_best_row_3way_neon
+#define stad_select_row       stad_select_row_neon
 #define stad_median_row       stad_median_row_neon
 
 void stad_prefilter_row_neon(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width,
@@ -32,6 +33,7 @@ void stad_path_row_neon(const stad_path_job *job, stad_lane *lanes, int32_t lane
 void stad_gather_row_neon(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_neon(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_neon(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_select_row_neon(stad_select_job *job);
 void stad_median_row_neon(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
 #include "kernel/bind_c.h"

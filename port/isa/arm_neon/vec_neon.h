@@ -51,6 +51,27 @@ static inline void vec_store(void *p, vec v)
     vst1q_u8(p, vreinterpretq_u8_s16(v));
 }
 
+/* Four vectors in one instruction. */
+#if defined(__aarch64__)
+#    define VEC_FOURS 1
+typedef int16x8x4_t vec4;
+#    define vec4_load(p)     vld1q_s16_x4(p)
+#    define vec4_store(p, v) vst1q_s16_x4(p, v)
+
+/* Differences of 32 bytes. */
+static inline vec4 vec4_sub_widened(const uint8_t *a, const uint8_t *b)
+{
+    const uint8x16x2_t in = vld1q_u8_x2(a), out = vld1q_u8_x2(b);
+    const uint16x8_t first = vsubl_u8(vget_low_u8(in.val[0]), vget_low_u8(out.val[0])), second = vsubl_high_u8(in.val[0], out.val[0]);
+    const uint16x8_t third = vsubl_u8(vget_low_u8(in.val[1]), vget_low_u8(out.val[1])), fourth = vsubl_high_u8(in.val[1], out.val[1]);
+    const vec4 v = {{vreinterpretq_s16_u16(first), vreinterpretq_s16_u16(second), vreinterpretq_s16_u16(third),
+                     vreinterpretq_s16_u16(fourth)}};
+    return v;
+}
+#else
+#    define VEC_FOURS 0
+#endif
+
 /* The same lanes read as unsigned, or as twice as many bytes. */
 #define VEC_U16(a)    vreinterpretq_u16_s16(a)
 #define VEC_U8(a)     vreinterpretq_u8_s16(a)
@@ -59,9 +80,33 @@ static inline void vec_store(void *p, vec v)
 
 #define vec_load_u8(p)         vec_load(p)
 #define vec_store_u8(p, v)     vec_store(p, v)
+#define vec_add_quarter_u8(a, b) VEC_OF_U8(vsraq_n_u8(VEC_U8(a), VEC_U8(b), 2)) /* a + b / 4 */
 #define vec_widen(p)           VEC_OF_U16(vmovl_u8(vld1_u8(p))) /* 8 bytes as 16-bit lanes */
 #define vec_sub_widened(p, q)  VEC_OF_U16(vsubl_u8(vld1_u8(p), vld1_u8(q)))
 #define vec_store_low_u8(p, v) vst1_u8(p, vmovn_u16(VEC_U16(v)))
+
+#if VEC_FOURS
+/* One or two vectors of each of three rows. */
+typedef struct vec_rows_u8 {
+    uint8x16x2_t value, low, high;
+} vec_rows_u8;
+
+static inline __attribute__((always_inline)) uint8x16x2_t vec_load_row_u8(const uint8_t *from, int32_t groups)
+{
+    if (groups == 2)
+        return vld1q_u8_x2(from);
+    const uint8x16x2_t one = {{vld1q_u8(from), vdupq_n_u8(0)}};
+    return one;
+}
+
+static inline __attribute__((always_inline)) vec_rows_u8 vec_load_rows_u8(const uint8_t *value, const uint8_t *low,
+                                                                         const uint8_t *high, int32_t groups)
+{
+    const vec_rows_u8 rows = {vec_load_row_u8(value, groups), vec_load_row_u8(low, groups), vec_load_row_u8(high, groups)};
+    return rows;
+}
+#    define vec_row_u8(row, from, k) VEC_OF_U8((row).val[k])
+#endif
 
 /* In what follows `scalar` operands stand for a vector of that value. */
 #define vec_set(v)                    vdupq_n_s16((int16_t)(v))
