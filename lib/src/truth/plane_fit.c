@@ -71,7 +71,7 @@ static int32_t rms_q8(const choice *c, const fitted *f)
             sum += (uint64_t)(off * off);
             used++;
         }
-    return used ? (int32_t)stad_isqrt(sum / used) : INT32_MAX;
+    return used ? sat_i32(stad_isqrt(sum / used)) : INT32_MAX;
 }
 
 /* Fits the chosen pairs. Returns the rms, INT32_MAX when there is no fit. */
