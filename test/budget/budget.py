@@ -27,9 +27,11 @@ SHOWN = {"M0+ -Os"}  # in the table, but not held to the limits: 8 low registers
 FEATURES = ["match", "one_mode", "one_mode_tune", "tune", "match_tune", "mark", "monitor", "store", "chain"]
 FLASH_LIMIT = {"one_mode": 12 * 1024, "one_mode_tune": 20 * 1024, "chain": 48 * 1024}
 ENTRY = {"one_mode": "match", "one_mode_tune": "match_tune"}
-# How a firmware that will never ask for another mode leaves them out (docs/PORTING.md).
+# How a firmware that will never ask for another mode than SGBM, nor for path state in bytes (the small plan's, up to P2 255),
+# leaves them out (docs/PORTING.md).
 ONE_MODE = ["-Wl,--defsym=mode_3way_step=mode_sgbm_step", "-Wl,--defsym=mode_hh_step=mode_sgbm_step",
-            "-Wl,--defsym=mode_hh4_step=mode_sgbm_step", "-Wl,--defsym=mode_two_pass_feed=mode_sgbm_step"]
+            "-Wl,--defsym=mode_hh4_step=mode_sgbm_step", "-Wl,--defsym=mode_two_pass_feed=mode_sgbm_step",
+            "-Wl,--defsym=stad_best_row_3way_c=stad_best_row_c", "-Wl,--defsym=stad_path_row_u8_c=stad_path_row_sat_c"]
 STACK_LIMIT = 1023
 FRAME_LIMIT = 256  # a function of lib/
 CALLERS = {"read", "program", "erase"}  # stad_flash: their stack is the caller's
