@@ -44,7 +44,10 @@ static int16_t *cells(const stad_path_job *job, const stad_lane *lane, int32_t s
 
 static void enter(stad_path_step *s, int32_t which, const stad_path_job *job, const stad_lane *lane)
 {
-    s->delta[which] = narrow_i16(lane->least[read_slot(lane)] + job->p2);
+    const int32_t read = read_slot(lane);
+    s->from[which] = cells(job, lane, read);
+    s->to[which] = cells(job, lane, lane->write);
+    s->delta[which] = narrow_i16(lane->least[read] + job->p2);
 }
 
 static void leave(const stad_path_step *s, int32_t which, stad_lane *lane)
@@ -53,37 +56,33 @@ static void leave(const stad_path_step *s, int32_t which, stad_lane *lane)
     lane->write = read_slot(lane);
 }
 
-static void take_one(const stad_path_job *job, const int16_t *block, int16_t *total, stad_lane *lane)
+/* One lane or two. */
+static void take(const stad_path_job *job, const int16_t *block, int16_t *total, stad_lane *lanes, int32_t count)
 {
-    stad_path_step s = {job->disparities, narrow_i16(job->p1), {0, 0}, {0, 0}};
-    int16_t *to = cells(job, lane, lane->write);
-    enter(&s, 0, job, lane);
-    step_one(cells(job, lane, read_slot(lane)), to, block, &s);
-    leave(&s, 0, lane);
-    if (total)
-        add_total(total, to, job->disparities);
-}
-
-static void take_two(const stad_path_job *job, const int16_t *block, int16_t *total, stad_lane *a, stad_lane *b)
-{
-    stad_path_step s = {job->disparities, narrow_i16(job->p1), {0, 0}, {0, 0}};
-    enter(&s, 0, job, a);
-    enter(&s, 1, job, b);
-    stad_path_step_two(cells(job, a, read_slot(a)), cells(job, a, a->write), cells(job, b, read_slot(b)), cells(job, b, b->write), block,
-             total, &s);
-    leave(&s, 0, a);
-    leave(&s, 1, b);
+    stad_path_step s;
+    s.disparities = job->disparities;
+    s.p1 = narrow_i16(job->p1);
+    for (int32_t i = 0; i < count; i++)
+        enter(&s, i, job, &lanes[i]);
+    if (count == 2)
+        stad_path_step_two(s.from[0], s.to[0], s.from[1], s.to[1], block, total, &s);
+    else
+        step_one(s.from[0], s.to[0], block, &s);
+    if (count == 1 && total)
+        add_total(total, s.to[0], s.disparities);
+    for (int32_t i = 0; i < count; i++)
+        leave(&s, i, &lanes[i]);
 }
 
 static void take_pixel(const stad_path_job *job, const int16_t *block, int16_t *total, stad_lane *lanes, int32_t count)
 {
-    int32_t k = 0;
+    int32_t taken = 0;
     if (total && job->fresh)
         memset(total, 0, 2 * (size_t)job->disparities);
-    for (; total && k + 1 < count; k += 2)
-        take_two(job, block, total, &lanes[k], &lanes[k + 1]);
-    for (; k < count; k++)
-        take_one(job, block, total, &lanes[k]);
+    for (int32_t k = 0; k < count; k += taken) {
+        taken = total && k + 1 < count ? 2 : 1;
+        take(job, block, total, &lanes[k], taken);
+    }
 }
 
 void stad_path_row_c(const stad_path_job *job, stad_lane *lanes, int32_t lane_count)

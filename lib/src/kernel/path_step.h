@@ -6,8 +6,10 @@
 #include "kernel/kernel.h"
 #include "base/arith.h"
 
-/* m + p2 of each lane before the step, its least cost after it. */
+/* Of each lane: the costs it reads and writes, m + p2 before the step, its least cost after it. */
 typedef struct stad_path_step {
+    const int16_t *from[2];
+    int16_t *to[2];
     int32_t disparities;
     int16_t p1, delta[2], least[2];
 } stad_path_step;

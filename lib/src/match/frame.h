@@ -30,6 +30,8 @@ typedef struct stad_frame {
     int32_t running; /* a frame has been begun */
     stad_winners *keep;        /* where the winners of every frame go, or NULL */
     int32_t recording;         /* this frame's go there */
+    stad_best *best;           /* the row's winners where they are kept, else a run's */
+    int16_t *fine;
     const stad_winners *again; /* this frame's winners are there already, or NULL */
 
     /* of the geometry */
@@ -44,8 +46,8 @@ typedef struct stad_frame {
     stad_lane across, resumed; /* the horizontal path, and its replay */
     int16_t *raw[3], *votes[3], *vote_cost;
     uint8_t *confidence[3];
-    stad_best *best;
-    int16_t *fine;
+    stad_best *run_best; /* a run's winners and their sub-pixel places */
+    int16_t *run_fine;
 
     /* of the frame's parameters */
     int32_t safe, wide; /* C cannot saturate; pixel costs need 16 bits */
@@ -117,10 +119,7 @@ void row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32
 void row_close(stad_frame *f);
 
 /* -- winners.c: a row of them kept, and a raw row made of them --------------------------------------------------------- */
-void winners_start(stad_frame *f);
-void winners_open(stad_frame *f);
-void winners_close(stad_frame *f);
-void winners_put(stad_frame *f, int32_t x, int32_t count); /* f->best and f->fine, of columns x .. x + count - 1 */
+void winners_open(stad_frame *f); /* this row's go where they are kept */
 int winners_step(stad_frame *f);
 
 /* -- mode_*.c: each makes the next raw row, or answers STAD_AGAIN --------------------------------------------------------- */

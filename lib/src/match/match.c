@@ -86,6 +86,8 @@ static int begin(stad_frame *f, const stad_params *p)
     shape_frame(f);
     f->again = NULL;
     f->recording = f->keep != NULL;
+    f->best = f->run_best;
+    f->fine = f->run_fine;
     f->running = 1;
     return STAD_OK;
 }
@@ -94,8 +96,10 @@ int stad_match_begin(stad_match *m, const stad_params *p)
 {
     stad_frame *f = frame_of(m);
     const int status = begin(f, p);
-    if (status == STAD_OK && f->recording)
-        winners_start(f);
+    if (status == STAD_OK && f->recording) {
+        f->keep->params = *p;
+        f->keep->rows = 0;
+    }
     return status;
 }
 

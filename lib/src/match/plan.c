@@ -24,6 +24,13 @@ static size_t segment_rows_of(const shape *s)
     return s->memory == STAD_MEMORY_SMALL && root < s->h ? root : s->h;
 }
 
+/* STAD_LANE_BYTES, of the cells that are known. */
+static size_t lane_bytes_of(const shape *s)
+{
+    const size_t cells = 32 + s->cells + s->d + STAD_LANE_PAD(s->memory) * (s->w + 2);
+    return s->narrow ? STAD_BYTES_UP(cells) : STAD_BYTES_UP(2 * cells) + STAD_BYTES_UP(2 * (s->w + 1));
+}
+
 static shape shape_of(const stad_geometry *g)
 {
     shape s = {0};
@@ -38,14 +45,14 @@ static shape shape_of(const stad_geometry *g)
     s.memory = g->memory;
     s.two_pass = g->mode == STAD_MODE_HH || g->mode == STAD_MODE_HH4;
     s.safe = STAD_COST_SAFE(s.cn, s.b, s.p2, s.cap);
-    s.narrow = STAD_LANE_NARROW(s.cn, s.b, s.p2, s.cap, s.mode, s.memory);
+    s.narrow = s.safe && s.memory == STAD_MEMORY_SMALL && s.mode != STAD_MODE_3WAY && s.p2 <= 255;
     s.cells = STAD_CELLS(s.w, s.d);
     s.row = STAD_BYTES_UP(2 * s.cells);
-    s.lane = STAD_LANE_BYTES(s.w, s.d, s.memory, s.narrow);
+    s.lane = lane_bytes_of(&s);
     s.state = STAD_LANES_DOWN(s.mode) * s.lane;
     s.checkpoint = s.state + (s.safe ? 0 : s.row);
     s.pixel_rows = STAD_PIXEL_ROWS(s.h, s.b, s.mode);
-    s.cost_slots = STAD_COST_SLOTS(s.cn, s.b, s.p2, s.cap, s.mode, s.memory);
+    s.cost_slots = s.two_pass || s.memory == STAD_MEMORY_FAST ? s.b / 2 * 2 + 2 : s.safe ? 0 : 2;
     s.segment_rows = segment_rows_of(&s);
     s.segments = (s.h + s.segment_rows - 1) / s.segment_rows;
     return s;
@@ -212,8 +219,8 @@ static void bind_rows(stad_frame *f, uint8_t *part)
         f->confidence[i] = take(&part, STAD_BYTES_UP(w));
     }
     f->vote_cost = take_i16(&part, 2 * w);
-    f->best = (stad_best *)(void *)take(&part, STAD_BYTES_UP(8 * STAD_RUN));
-    f->fine = (int16_t *)(void *)(f->best + STAD_RUN);
+    f->run_best = (stad_best *)(void *)take(&part, STAD_BYTES_UP(8 * STAD_RUN));
+    f->run_fine = (int16_t *)(void *)(f->run_best + STAD_RUN);
 }
 
 static void derive(stad_frame *f, const shape *s)

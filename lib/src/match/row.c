@@ -25,14 +25,13 @@ void row_open(stad_frame *f)
 
 void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
 {
+    const int32_t at = f->recording ? x : 0;
     if (f->g.mode == STAD_MODE_3WAY)
-        stad_best_row_3way(total, count, f->p.num_disparities, f->best);
+        stad_best_row_3way(total, count, f->p.num_disparities, f->best + at);
     else
-        stad_best_row(total, count, f->p.num_disparities, f->best);
-    stad_refine_row(total, f->best, count, f->p.num_disparities, f->fine);
-    if (f->recording)
-        winners_put(f, x, count);
-    row_select(f, f->best, f->fine, x, count);
+        stad_best_row(total, count, f->p.num_disparities, f->best + at);
+    stad_refine_row(total, f->best + at, count, f->p.num_disparities, f->fine + at);
+    row_select(f, f->best + at, f->fine + at, x, count);
 }
 
 void row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count)
@@ -83,6 +82,6 @@ void row_close(stad_frame *f)
     f->counts.considered += f->columns;
     finish_right(f, f->votes[slot]);
     if (f->recording)
-        winners_close(f);
+        f->keep->rows = f->made + 1;
     f->made++;
 }

@@ -54,26 +54,11 @@ int stad_winners_serve(const stad_winners *w, const stad_params *p)
            q->pre_filter_cap == p->pre_filter_cap;
 }
 
-void winners_start(stad_frame *f)
-{
-    f->keep->params = f->p;
-    f->keep->rows = 0;
-}
-
-void winners_put(stad_frame *f, int32_t x, int32_t count)
-{
-    memcpy(best_of_row(f->keep, f->made) + x, f->best, (size_t)count * sizeof(stad_best));
-    memcpy(fine_of_row(f->keep, f->made) + x, f->fine, (size_t)count * sizeof(int16_t));
-}
-
 void winners_open(stad_frame *f)
 {
-    best_of_row(f->keep, f->made)->index = NO_WINNERS;
-}
-
-void winners_close(stad_frame *f)
-{
-    f->keep->rows = f->made + 1;
+    f->best = best_of_row(f->keep, f->made);
+    f->fine = fine_of_row(f->keep, f->made);
+    f->best->index = NO_WINNERS;
 }
 
 int winners_step(stad_frame *f)
