@@ -34,9 +34,9 @@ void feature_tune(void)
     stad_score_row(any, sink, any, any, any, sink);
     sink = stad_score_end(any);
     stad_tune_config_stereo(any, sink);
-    sink = stad_tune_ncg_init(any, any, any);
+    sink = stad_tune_descent_init(any, any, any);
     sink = stad_tune_ask(any, any);
-    sink = stad_tune_ncg_tell(any, sink);
+    sink = stad_tune_descent_tell(any, sink);
     sink = stad_tune_best(any, any, any);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * proof/prove_score.c - scores: any config, rows of any disparity, label and grey, truth within 4096 px; then any cost from any
  * counts of 0, 1, 1000, 2^22 and 2^30 pixels.
- * SOURCES: score/score.c score/score_blind.c score/score_cost.c score/score_label.c base/log.c */
+ * SOURCES: score/score.c score/score_blind.c score/score_cost.c score/score_label.c base/log.c base/divide.c */
 #include "proof/prove.h"
 #include "stad/score.h"
 

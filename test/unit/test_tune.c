@@ -38,7 +38,7 @@ static void test_tune_bowl_reaches_floor_in_sixty(void)
 
 static void test_tune_every_method_improves_bowl(void)
 {
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         config.budget = 150;
         run_search(&tune, &config, &sample_start, bowl);
@@ -96,7 +96,7 @@ static void test_tune_pair_keeps_p2_above_p1(void)
 {
     stad_point x;
     int32_t cost;
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         run_search(&tune, &config, &sample_start, bowl);
         for (int i = 0; stad_tune_trace(&tune, i, &x, &cost) == STAD_OK; i++)

@@ -70,7 +70,7 @@ static int32_t holed(const stad_point *x)
 
 static void for_every_method(cost_function cost)
 {
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         run_search(&tune, &config, &sample_start, cost);
     }
@@ -95,7 +95,7 @@ static void test_tune_every_cost_failed_has_no_best(void)
 
 static void test_tune_failed_start_recovers(void)
 {
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         stad_point x;
         int32_t cost = 0;
         int n = 0;
@@ -119,7 +119,7 @@ static void test_tune_holes_do_not_stop_it(void)
 
 static void test_tune_zero_cost_start_ends_at_once(void)
 {
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         TEST_ASSERT_EQUAL_INT(1, run_search(&tune, &config, &sample_start, zero));
     }
@@ -128,7 +128,7 @@ static void test_tune_zero_cost_start_ends_at_once(void)
 static void test_tune_budget_of_one_scores_the_start(void)
 {
     config.budget = 1;
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         TEST_ASSERT_EQUAL_INT(1, run_search(&tune, &config, &sample_start, bowl));
     }
@@ -137,7 +137,7 @@ static void test_tune_budget_of_one_scores_the_start(void)
 static void test_tune_nothing_free_scores_the_start(void)
 {
     config.free_mask = 0;
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         TEST_ASSERT_EQUAL_INT(1, run_search(&tune, &config, &sample_start, bowl));
     }
@@ -158,7 +158,7 @@ static void test_tune_smallest_pair_keeps_its_order(void)
     stad_point x;
     int32_t cost;
     config.axis[STAD_TUNE_P2].lo = 1; /* 1 and sqrt(2) round to the same integer */
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         run_search(&tune, &config, &sample_start, least_penalties);
         for (int i = 0; stad_tune_trace(&tune, i, &x, &cost) == STAD_OK; i++)
@@ -194,7 +194,7 @@ static void test_tune_start_out_of_bounds_is_brought_in(void)
 {
     const stad_point outside = {{30000, 3, 40, 99, 1000, 700}};
     for_every_method(bowl); /* checks every point asked for */
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         run_search(&tune, &config, &outside, bowl);
     }
@@ -226,7 +226,7 @@ static void test_tune_bad_config_is_refused_by_name(void)
     refused("budget");
     config.budget = STAD_TUNE_LOG + 1;
     refused("budget");
-    config.method = 4;
+    config.method = STAD_TUNE_DESCENT + 1;
     refused("method");
     config.ladder_count = STAD_TUNE_LADDER + 1;
     refused("ladder_count");
@@ -238,7 +238,7 @@ static void test_tune_one_point_box_ends(void)
 {
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
         config.axis[i].lo = config.axis[i].hi = sample_start.v[i];
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_HYBRID; method++) {
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
         config.method = (uint8_t)method;
         TEST_ASSERT_EQUAL_INT(1, run_search(&tune, &config, &sample_start, bowl));
     }

@@ -6,7 +6,7 @@ source=${STAD_SOURCE:-$(cd "$(dirname "$0")/../.." && pwd)}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-for file in "$source"/lib/src/tune/*.c "$source/lib/src/base/log.c"; do
+for file in "$source"/lib/src/tune/*.c "$source/lib/src/base/log.c" "$source/lib/src/base/divide.c"; do
     "${CC:-cc}" -std=c99 -O1 -I"$source/lib/include" -I"$source/lib/src" -c "$file"
 done
 ar rc libtune.a ./*.o
@@ -35,9 +35,10 @@ END
         ! echo "$symbols" | grep -q "^$name" || { echo "$1: $name is linked, too"; status=1; }
     done
 }
-check ncg "stad_tune_ncg_descents stad_tune_cross" "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd stad_tune_hybrid"
+check descent stad_tune_descents "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd stad_tune_hybrid stad_tune_cross stad_tune_ncg"
+check ncg "stad_tune_descents stad_tune_cross" "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd stad_tune_hybrid"
 check paper stad_tune_wolfe_run "stad_tune_init stad_tune_ncg stad_tune_sd stad_tune_hybrid stad_tune_cross stad_tune_joint stad_tune_walk"
 check sd stad_tune_wolfe_run "stad_tune_init stad_tune_ncg stad_tune_paper stad_tune_hybrid stad_tune_cross stad_tune_joint stad_tune_walk"
-check hybrid "stad_tune_ncg_descents stad_tune_cross" "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd"
+check hybrid "stad_tune_descents stad_tune_cross" "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd"
 [ $status -eq 0 ] && echo "each method brings its own code alone"
 exit $status

@@ -13,7 +13,7 @@ run() { # name, emulator, compiler, flags
     [ -z "$2" ] || command -v "$2" >/dev/null 2>&1 || { echo "$1: UNAVAILABLE ($2)"; return 0; }
     # shellcheck disable=SC2086
     "$3" -std=c99 $4 -DUNITY_SUPPORT_64 -DUNITY_EXCLUDE_FLOAT -I"$unity" -I"$source/lib/include" -I"$source/lib/src" -o "$work/t" \
-        "$source/test/unit/test_tune_golden.c" "$unity/unity.c" "$source"/lib/src/tune/*.c "$source/lib/src/base/log.c"
+        "$source/test/unit/test_tune_golden.c" "$unity/unity.c" "$source"/lib/src/tune/*.c "$source/lib/src/base/log.c" "$source/lib/src/base/divide.c"
     $2 "$work/t" >"$work/out" || { cat "$work/out"; echo "$1: FAILED"; exit 1; }
     echo "$1: same trajectory"
     [ -z "$2" ] || crossed=yes

@@ -22,7 +22,7 @@ static const char help[] =
     "                       \"min_disparity\": N, \"num_disparities\": N}, ...], the last four as needed; "
     "the mean cost counts\n"
     "  --fiducials          the frames show the target of `stad sheet`: its planes are the truth\n"
-    "  --method ncg|ncg-paper|sd|hybrid             (ncg)\n"
+    "  --method ncg|ncg-paper|sd|hybrid|descent     (ncg)\n"
     "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
     "  --threshold PX       error above which a pixel is wrong (1)\n"
     "  --max-evals N        distinct evaluations at most, 1..200 (100)\n"

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-static const char *const methods[] = {"ncg", "ncg-paper", "sd", "hybrid"};
+static const char *const methods[] = {"ncg", "ncg-paper", "sd", "hybrid", "descent"};
 static const char *const costs[] = {"bad", "chow", "d1", "rmse", "mae", "missing"};
 
 #define COUNT(list) ((int)(sizeof(list) / sizeof(list)[0]))

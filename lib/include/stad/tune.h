@@ -53,7 +53,8 @@ enum stad_tune_method {
     STAD_TUNE_NCG = 0,       /* swept lattice conjugate gradient: the one to use */
     STAD_TUNE_NCG_PAPER = 1, /* nonlinear conjugate gradient as the literature writes it: for comparison */
     STAD_TUNE_SD = 2,        /* steepest descent, otherwise as NCG_PAPER */
-    STAD_TUNE_HYBRID = 3     /* a coarse random search, then NCG from its best */
+    STAD_TUNE_HYBRID = 3,    /* a coarse random search, then NCG from its best */
+    STAD_TUNE_DESCENT = 4    /* NCG until it has converged: the same points, then it ends. Least code: for firmware */
 };
 
 /* How a coordinate is walked. */
@@ -159,6 +160,8 @@ int stad_tune_paper_tell(stad_tune *t, int32_t cost_q20);                       
 int stad_tune_sd_init(stad_tune *t, const stad_tune_config *c, const stad_point *start); /* STAD_TUNE_SD */
 int stad_tune_sd_tell(stad_tune *t, int32_t cost_q20);                                   /* STAD_TUNE_SD */
 
+int stad_tune_descent_init(stad_tune *t, const stad_tune_config *c, const stad_point *start); /* STAD_TUNE_DESCENT */
+int stad_tune_descent_tell(stad_tune *t, int32_t cost_q20);                                   /* STAD_TUNE_DESCENT */
 int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_point *start); /* STAD_TUNE_HYBRID */
 int stad_tune_hybrid_tell(stad_tune *t, int32_t cost_q20);                                   /* STAD_TUNE_HYBRID */
 

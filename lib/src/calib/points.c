@@ -57,6 +57,7 @@ void stad_calib_tune_config(const stad_calib *c, int budget, stad_tune_config *o
     axis[STAD_TUNE_P2].hi = least(axis[STAD_TUNE_P2].hi, g->max_p2);
     axis[STAD_TUNE_P1].hi = least(axis[STAD_TUNE_P1].hi, (int16_t)(g->max_p2 - 1));
     axis[STAD_TUNE_PRE_FILTER_CAP].hi = least(axis[STAD_TUNE_PRE_FILTER_CAP].hi, g->max_pre_filter_cap);
+    out->method = STAD_TUNE_DESCENT;
     out->budget = (int16_t)budget;
     out->patience = 1;
 }

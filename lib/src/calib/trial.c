@@ -126,7 +126,7 @@ static void tune(stad_calib *c)
         return;
     }
     stad_calib_tune_config(c, budget < STAD_TUNE_LOG ? budget : STAD_TUNE_LOG, &config);
-    if (stad_tune_ncg_init(&c->tune, &config, &c->pick) != STAD_OK) {
+    if (stad_tune_descent_init(&c->tune, &config, &c->pick) != STAD_OK) {
         decide(c);
         return;
     }
@@ -187,7 +187,7 @@ static void tuned(stad_calib *c, int32_t cost_q20)
     stad_point point, best;
     int32_t best_cost;
     stad_tune_ask(&c->tune, &point);
-    stad_tune_ncg_tell(&c->tune, stad_calib_penalised(&c->pick, &point, cost_q20, c->config.penalty_q16));
+    stad_tune_descent_tell(&c->tune, stad_calib_penalised(&c->pick, &point, cost_q20, c->config.penalty_q16));
     if (stad_tune_best(&c->tune, &best, &best_cost) == STAD_OK && stad_calib_point_equal(&best, &point)) {
         c->tuned = point;
         c->tuned_q20 = cost_q20;

@@ -3,6 +3,7 @@
 #include "stad/score.h"
 
 #include "base/arith.h"
+#include "base/divide.h"
 #include "base/log.h"
 
 /* part / whole in Q20, rounded. Both shed bits beyond what Q20 leaves room for: sums over millions of pixels. */
@@ -17,7 +18,7 @@ static int32_t ratio_q20(int64_t part, int64_t whole)
     }
     if (part >= (int64_t)1 << 42)
         return STAD_COST_FAILED - 1;
-    const int64_t q = (part * STAD_COST_ONE + whole / 2) / whole;
+    const int64_t q = stad_div_i64(part * STAD_COST_ONE + whole / 2, whole);
     return q < STAD_COST_FAILED ? (int32_t)q : STAD_COST_FAILED - 1;
 }
 
@@ -31,14 +32,14 @@ int32_t stad_score_rmse_q16(const stad_score *s)
     const int32_t n = with_disparity(&s->counts);
     if (n <= 0)
         return 0;
-    const int64_t mean_q16 = (s->counts.square_sum_q16 + n / 2) / n;
+    const int64_t mean_q16 = stad_div_i64(s->counts.square_sum_q16 + n / 2, n);
     return sat_i32(stad_isqrt((uint64_t)mean_q16 << 16)); /* mean_q16 <= 2^42: errors are below 2^21 / 256 px */
 }
 
 int32_t stad_score_mae_q16(const stad_score *s)
 {
     const int32_t n = with_disparity(&s->counts);
-    return n <= 0 ? 0 : sat_i32((s->counts.abs_sum_q16 + n / 2) / n);
+    return n <= 0 ? 0 : sat_i32(stad_div_i64(s->counts.abs_sum_q16 + n / 2, n));
 }
 
 /* An error in px * 65536 against the disparity range, at most 1. No disparity at all is as bad as can be. */

@@ -11,6 +11,8 @@ int stad_tune_init(stad_tune *t, const stad_tune_config *c, const stad_point *st
         return stad_tune_sd_init(t, c, start);
     case STAD_TUNE_HYBRID:
         return stad_tune_hybrid_init(t, c, start);
+    case STAD_TUNE_DESCENT:
+        return stad_tune_descent_init(t, c, start);
     default:
         return stad_tune_ncg_init(t, c, start); /* refuses what is none of these */
     }
@@ -25,6 +27,8 @@ int stad_tune_tell(stad_tune *t, int32_t cost_q20)
         return stad_tune_sd_tell(t, cost_q20);
     case STAD_TUNE_HYBRID:
         return stad_tune_hybrid_tell(t, cost_q20);
+    case STAD_TUNE_DESCENT:
+        return stad_tune_descent_tell(t, cost_q20);
     default:
         return stad_tune_ncg_tell(t, cost_q20);
     }

@@ -57,7 +57,7 @@ int stad_tune_config_check(const stad_tune_config *c, const char **culprit)
 {
     static const char *const names[STAD_TUNE_DIMS] = {
         "p1", "p2", "block_size", "uniqueness_ratio", "pre_filter_cap", "disp12_max_diff"};
-    if (c->method > STAD_TUNE_HYBRID)
+    if (c->method > STAD_TUNE_DESCENT)
         return refuse(culprit, "method");
     if (c->budget < 1 || c->budget > STAD_TUNE_LOG)
         return refuse(culprit, "budget");

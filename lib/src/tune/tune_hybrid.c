@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * tune/tune_hybrid.c - a coarse random search, then the swept descent from the best it found. */
-#include "tune/tune_ncg.h"
+#include "tune/tune_cross.h"
+#include "tune/tune_descent.h"
 #include "tune/tune_random.h"
 
 /* A random point: continuous axes uniform in their variable, discrete ones among their values. */
@@ -32,7 +33,8 @@ static void run(stad_tune *t)
         if (!stad_tune_look(t, &x, &cost))
             return;
     }
-    stad_tune_ncg_descents(t, t->cursor);
+    if (stad_tune_descents(t, t->cursor))
+        stad_tune_cross(t);
 }
 
 int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)

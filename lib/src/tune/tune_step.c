@@ -4,6 +4,7 @@
  * Scaling by the curvature that the probes gave is what makes the step good; beta adds little (docs/TUNING.md). */
 #include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
+#include "base/divide.h"
 
 #include <string.h>
 
@@ -31,7 +32,7 @@ static int in_step(const stad_tune *t, int i)
 static int32_t scale_of(const tune_walk *w, int i)
 {
     int64_t scale = TUNE_SCALING ? w->curve[i] : 0;
-    const int64_t held = (int64_t)magnitude(w->slope[i]) * 65536 / (2 * (int64_t)w->step);
+    const int64_t held = stad_div_i64((int64_t)magnitude(w->slope[i]) * 65536, 2 * (int64_t)w->step);
     const int64_t least = w->cost / 1000;
     scale = scale > held ? scale : held;
     scale = scale > least ? scale : least;
@@ -50,7 +51,7 @@ static int64_t beta_q12(const stad_tune *t, const tune_walk *w, const direction 
         above -= in_step(t, i) ? (int64_t)d->move[i] * ((int64_t)w->slope[i] - w->old_slope[i]) : 0;
     if (above <= 0)
         return 0;
-    const int64_t beta = above * BETA_ONE / w->old_fall;
+    const int64_t beta = stad_div_i64(above * BETA_ONE, w->old_fall);
     return beta < 2 * BETA_ONE ? beta : 2 * BETA_ONE;
 }
 
@@ -73,7 +74,7 @@ static int32_t hold(const stad_tune *t, int32_t *move, int64_t most)
     if (longest <= most)
         return longest;
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        move[i] = (int32_t)(move[i] * most / longest);
+        move[i] = (int32_t)stad_div_i64(move[i] * most, longest);
     return (int32_t)most;
 }
 
@@ -123,7 +124,7 @@ static int32_t next_length(const tune_walk *w, const trial *r, int32_t a_q12, in
     const int64_t bend = stad_tune_rise(w->cost, r->cost) - fall;
     if (bend <= 0)
         return success ? 2 * a_q12 : a_q12 / 2;
-    const int64_t a = -fall * a_q12 / (2 * bend);
+    const int64_t a = stad_div_i64(-fall * a_q12, 2 * bend);
     return a < 0 ? 0 : a > 4 * (int64_t)a_q12 ? 4 * a_q12 : (int32_t)a;
 }
 
@@ -136,7 +137,7 @@ static int line_search(stad_tune *t, tune_walk *w, const direction *d, int32_t l
         trial r;
         if (!try_step(t, w, d, a, &r))
             return 0;
-        const int64_t wanted = r.fall / 65536 / 10;
+        const int64_t wanted = stad_div_i64(r.fall / 65536, 10);
         const int success = r.cost < w->cost && stad_tune_rise(w->cost, r.cost) <= wanted;
         int32_t next = next_length(w, &r, a, success);
         const int leads = r.cost < best.cost;

@@ -3,6 +3,7 @@
  *
  * The probes that give the slope give the curvature for nothing, and a probe that is better is taken at once. */
 #include "tune/tune_walk.h"
+#include "base/divide.h"
 
 #include <string.h>
 
@@ -16,7 +17,7 @@ int32_t stad_tune_rise(int32_t from, int32_t to)
 
 int32_t stad_tune_div_q16(int64_t a, int64_t b)
 {
-    const int64_t q = a * 65536 / b;
+    const int64_t q = stad_div_i64(a * 65536, b);
     return q > INT32_MAX ? INT32_MAX : q < -INT32_MAX ? -INT32_MAX : (int32_t)q;
 }
 
@@ -76,7 +77,7 @@ static int32_t go_on(const tune_walk *w, int i, int32_t r, int32_t cost)
         return 2 * r;
     const int32_t secant = stad_tune_div_q16(stad_tune_rise(w->cost, cost), r);
     const int64_t slope = secant - (int64_t)curve * r / (2 * 65536);
-    const int64_t floor = -slope * 65536 / curve;
+    const int64_t floor = stad_div_i64(-slope * 65536, curve);
     return floor < 0 ? 0 : floor > 3 * (int64_t)r ? 3 * r : (int32_t)floor;
 }
 

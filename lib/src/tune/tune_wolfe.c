@@ -2,7 +2,7 @@
  * tell -> [WOLFE] -> ask         tune/tune_wolfe.c - gradient descent as the literature writes it, on rounded parameters.
  *
  * Central differences in every free coordinate, block size and disp12 taken as if they were continuous, a strong Wolfe line
- * search with gradients, PR+ with a restart every STAD_TUNE_DIMS iterations. Kept in the variables of tune_ncg.c, so that a
+ * search with gradients, PR+ with a restart every STAD_TUNE_DIMS iterations. Kept in the variables of tune_descent.c, so that a
  * comparison shows the method and not the variables. It is not meant to be used. */
 #include "tune/tune_wolfe.h"
 

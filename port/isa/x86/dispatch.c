@@ -31,9 +31,12 @@ static int find_tier(void)
 int stad_x86_tier(void)
 {
     static int found = -1;
-    if (found < 0)
-        found = find_tier();
-    return found;
+    int tier = __atomic_load_n(&found, __ATOMIC_RELAXED);
+    if (tier < 0) {
+        tier = find_tier();
+        __atomic_store_n(&found, tier, __ATOMIC_RELAXED);
+    }
+    return tier;
 }
 
 const char *stad_x86_tier_name(void)

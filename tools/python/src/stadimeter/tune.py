@@ -8,7 +8,7 @@ from typing import Callable, Dict, Iterable, List, Mapping, Optional, Sequence, 
 from ._native import DIMS, TUNE_BYTES, Point, TuneConfig, lib
 
 NAMES = ("p1", "p2", "block_size", "uniqueness_ratio", "pre_filter_cap", "disp12_max_diff")
-METHODS = {"ncg": 0, "ncg-paper": 1, "sd": 2, "hybrid": 3}
+METHODS = {"ncg": 0, "ncg-paper": 1, "sd": 2, "hybrid": 3, "descent": 4}
 PURPOSES = {"any": 0, "bad": 1, "chow": 2, "d1": 1}  # bad's ladder serves d1 as well
 FAILED = float("inf")
 _FAILED_Q20 = 2**31 - 1

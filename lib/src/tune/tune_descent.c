@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT
+ * tell -> [DESCENT] -> ask         tune/tune_descent.c - the swept lattice conjugate gradient, until it has converged.
+ *
+ * From the best of the start and its ladder: sweep the axes, each giving slope and curvature and moving at once; take one
+ * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
+ * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best rung of another
+ * block. */
+#include "tune/tune_descent.h"
+#include "tune/tune_switches.h"
+#include "tune/tune_walk.h"
+
+#define REACH_FIRST (3 * TUNE_ONE / 4)
+#define REACH_AGAIN (TUNE_ONE / 2)
+#define REACH_LEAST (TUNE_ONE / 8)
+#define ITERATIONS  30
+
+/* The axes in the order that lets a matcher keep most of its work between probes. */
+static const uint8_t sweep_order[STAD_TUNE_DIMS] = {
+    STAD_TUNE_PRE_FILTER_CAP,   STAD_TUNE_P1,         STAD_TUNE_P2,
+    STAD_TUNE_UNIQUENESS_RATIO, STAD_TUNE_BLOCK_SIZE, STAD_TUNE_DISP12_MAX_DIFF};
+
+static int sweep_all(stad_tune *t, tune_walk *w)
+{
+    for (int k = 0; k < STAD_TUNE_DIMS; k++) {
+        const int i = sweep_order[k];
+        if (!stad_tune_is_free(&t->config, i) || !stad_tune_is_continuous(&t->config, i))
+            continue;
+        if (!stad_tune_sweep_axis(t, w, i))
+            return 0;
+    }
+    return 1;
+}
+
+/* Polls every discrete axis of the given scale. */
+static int poll_all(stad_tune *t, tune_walk *w, int scale, int *moved)
+{
+    *moved = 0;
+    for (int i = 0; TUNE_POLLS && i < STAD_TUNE_DIMS; i++) {
+        int m;
+        if (!stad_tune_is_free(&t->config, i) || t->config.axis[i].scale != scale)
+            continue;
+        if (!stad_tune_poll(t, w, i, &m))
+            return 0;
+        *moved |= m;
+    }
+    return 1;
+}
+
+/* After the block has moved the smoothness terms bend anew. */
+static void forget_curve(const stad_tune *t, tune_walk *w)
+{
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        if (t->config.axis[i].scale == STAD_TUNE_AREA)
+            w->curve[i] = 0;
+    }
+    w->has_old = 0;
+}
+
+/* From x until nothing is gained at the least step. 0: a cost is wanted. */
+static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reach)
+{
+    tune_walk w;
+    int32_t polled_at = -1;
+    int moved, leapt;
+    stad_tune_walk_from(t, &w, x, cost, reach);
+    for (int k = 1; k <= ITERATIONS; k++) {
+        const int32_t before = w.cost;
+        const tune_vars from = w.at;
+        t->counts.iterations++;
+        if (polled_at >= 0 && w.cost < polled_at - polled_at / 33) {
+            if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
+                return 0;
+            if (moved)
+                forget_curve(t, &w);
+            polled_at = w.cost;
+        }
+        if (polled_at < 0)
+            polled_at = w.cost;
+        if (2 * w.step <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
+            return 0;
+        if (!sweep_all(t, &w) || (TUNE_JOINT && !stad_tune_joint_step(t, &w)))
+            return 0;
+        if (TUNE_FOLLOW && !stad_tune_follow(t, &w, &from))
+            return 0;
+        if ((int64_t)before - w.cost < before / 250) {
+            if (w.step <= REACH_LEAST) {
+                if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
+                    return 0;
+                if (!stad_tune_leap(t, &w, &leapt))
+                    return 0;
+                if (!moved && !leapt)
+                    return 1;
+                forget_curve(t, &w);
+                w.step = REACH_AGAIN;
+                polled_at = w.cost;
+                continue;
+            }
+            w.step = w.step / 2 > REACH_LEAST ? w.step / 2 : REACH_LEAST;
+            w.has_old = 0;
+        }
+        if (k % 4 == 0)
+            w.has_old = 0;
+    }
+    return 1;
+}
+
+/* Scores the start and its ladder. */
+static int score_ladder(stad_tune *t)
+{
+    int32_t cost;
+    if (!stad_tune_look(t, &t->start, &cost))
+        return 0;
+    for (int i = 0; i < t->config.ladder_count; i++) {
+        stad_point x;
+        tune_vars v;
+        stad_tune_to_vars(&t->config, &t->config.ladder[i], &v);
+        stad_tune_to_point(t, &v, &x);
+        if (!stad_tune_look(t, &x, &cost))
+            return 0;
+    }
+    return 1;
+}
+
+/* The best of the first n log entries whose block is not `block`, or -1. */
+static int best_other(const stad_tune *t, int n, int block)
+{
+    int best = -1;
+    for (int i = 0; i < n; i++) {
+        if (t->point[i].v[STAD_TUNE_BLOCK_SIZE] != block && (best < 0 || t->cost[i] < t->cost[best]))
+            best = i;
+    }
+    return best;
+}
+
+static int descend_from(stad_tune *t, int entry, int32_t reach)
+{
+    return descend(t, &t->point[entry], t->cost[entry], reach);
+}
+
+int stad_tune_descents(stad_tune *t, int rungs)
+{
+    if (!descend_from(t, t->lead, REACH_FIRST) || t->config.patience)
+        return 0;
+    if (!descend_from(t, t->lead, REACH_AGAIN))
+        return 0;
+    const int other = best_other(t, rungs, t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE]);
+    if (other >= 0 && !descend_from(t, other, REACH_FIRST))
+        return 0;
+    return descend_from(t, t->lead, REACH_AGAIN);
+}
+
+int stad_tune_descend_ladder(stad_tune *t)
+{
+    return score_ladder(t) && stad_tune_descents(t, t->cursor);
+}
+
+int stad_tune_descent_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)
+{
+    return stad_tune_core_init(t, c, start, STAD_TUNE_DESCENT);
+}
+
+int stad_tune_descent_tell(stad_tune *t, int32_t cost_q20)
+{
+    const int status = stad_tune_core_record(t, cost_q20);
+    if (status != STAD_OK)
+        return status;
+    stad_tune_core_rewind(t);
+    stad_tune_descend_ladder(t);
+    return STAD_OK;
+}
