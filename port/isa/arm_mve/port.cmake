@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: MIT
-target_sources(stadimeter PRIVATE ${STAD_PORT_DIR}/kernels_mve.c)
+file(GLOB STAD_PORT_SOURCES CONFIGURE_DEPENDS ${STAD_PORT_DIR}/*.c)
+target_sources(stadimeter PRIVATE ${STAD_PORT_SOURCES})

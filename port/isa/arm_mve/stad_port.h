@@ -16,6 +16,8 @@
 #define stad_gather_row       stad_gather_row_mve
 #define stad_best_row         stad_best_row_mve
 #define stad_best_row_3way    stad_best_row_3way_mve
+#define stad_select_row       stad_select_row_mve
+#define stad_check_row        stad_check_row_mve
 #define stad_median_row       stad_median_row_mve
 
 void stad_prefilter_row_mve(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width,
@@ -32,6 +34,8 @@ void stad_path_row_mve(const stad_path_job *job, stad_lane *lanes, int32_t lane_
 void stad_gather_row_mve(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_select_row_mve(stad_select_job *job);
+int32_t stad_check_row_mve(const stad_check_job *job);
 void stad_median_row_mve(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
 #include "kernel/bind_c.h"

@@ -5,7 +5,7 @@
  * 3WAY's rule and confidences are left to C. Bounds: costs are int16, so every product with 100 fits int32. */
 #include <arm_neon.h>
 
-#include "kernel/kernel.h"
+#include "../arm_common/vote_arm.h"
 
 /* Lane by lane: a * p < b * q. */
 static inline uint16x8_t is_less(int16x8_t a, int16_t p, int16x8_t b, int16_t q)
@@ -13,19 +13,6 @@ static inline uint16x8_t is_less(int16x8_t a, int16_t p, int16x8_t b, int16_t q)
     const uint32x4_t low = vcltq_s32(vmull_n_s16(vget_low_s16(a), p), vmull_n_s16(vget_low_s16(b), q));
     const uint32x4_t high = vcltq_s32(vmull_n_s16(vget_high_s16(a), p), vmull_n_s16(vget_high_s16(b), q));
     return vcombine_u16(vmovn_u32(low), vmovn_u32(high));
-}
-
-/* From the last of eight pixels to the first; a byte of `ambiguous` is 0 where a pixel votes. */
-static inline void vote_eight(const stad_select_job *job, const stad_best *best, int32_t x, uint64_t ambiguous)
-{
-#pragma GCC unroll 8
-    for (int32_t k = 7; k >= 0; k--) {
-        const int32_t disparity = best[k].index + job->min_disparity, right = x + k - disparity;
-        if ((ambiguous >> (8 * k) & 1) == 0 && (uint32_t)right < (uint32_t)job->width && best[k].least < job->vote_cost[right]) {
-            job->vote_cost[right] = best[k].least;
-            job->vote_disp[right] = (int16_t)disparity;
-        }
-    }
 }
 
 static inline int32_t sum_of(int16x8_t v)
@@ -49,7 +36,11 @@ void stad_select_row_neon(stad_select_job *shared)
         firm = vaddq_s16(firm, vaddq_s16(vdupq_n_s16(1), vreinterpretq_s16_u16(weak)));
         rejected = vsubq_s16(rejected, vreinterpretq_s16_u16(ambiguous));
         vst1q_s16(disp, vbslq_s16(ambiguous, vld1q_s16(disp), found));
-        vote_eight(&job, job.best + i, job.x + i, vget_lane_u64(vreinterpret_u64_u8(vmovn_u16(ambiguous)), 0));
+        const uint64_t bytes = vget_lane_u64(vreinterpret_u64_u8(vmovn_u16(ambiguous)), 0); /* one a pixel */
+#pragma GCC unroll 8
+        for (int32_t k = 7; k >= 0; k--)
+            if ((bytes >> (8 * k) & 1) == 0)
+                vote(&job, job.best + i + k, job.x + i + k);
     }
     stad_select_row_c(&job);
     shared->firm = job.firm + sum_of(firm);

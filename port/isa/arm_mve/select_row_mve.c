@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ * refine -> [SELECT] -> check
+ * port/isa/arm_mve/select_row_mve.c - uniqueness of eight winners at once.
+ *
+ * 3WAY's rule and confidences are left to C. Bounds: costs are int16, so every product with 100 fits int32. */
+#include <arm_mve.h>
+
+#include "../arm_common/vote_arm.h"
+
+/* Lane by lane: a * p < b * q. The halves are the even and the odd lanes. */
+static inline mve_pred16_t is_less(int16x8_t a, int16_t p, int16x8_t b, int16_t q)
+{
+    const int16x8_t by_p = vdupq_n_s16(p), by_q = vdupq_n_s16(q);
+    const mve_pred16_t even = vcmpltq_s32(vmullbq_int_s16(a, by_p), vmullbq_int_s16(b, by_q));
+    const mve_pred16_t odd = vcmpltq_s32(vmulltq_int_s16(a, by_p), vmulltq_int_s16(b, by_q));
+    return (mve_pred16_t)((even & 0x3333) | (odd & 0xCCCC));
+}
+
+void stad_select_row_mve(stad_select_job *shared)
+{
+    stad_select_job job = *shared;
+    const int16_t rest = (int16_t)(100 - job.uniqueness_ratio), shift = (int16_t)(16 * job.min_disparity);
+    const uint16x8_t third = vmulq_n_u16(vidupq_n_u16(0, 1), 3); /* a stad_best is three cells */
+    const int16x8_t one = vdupq_n_s16(1);
+    int32_t firm = 0, rejected = 0;
+    for (; !job.floor_rule && !job.confidence && job.count >= 8; job.count -= 8) {
+        const int32_t i = job.count - 8;
+        const stad_best *best = job.best + i;
+        const int16x8_t least = vldrhq_gather_shifted_offset_s16(&best->least, third);
+        const int16x8_t runner_up = vldrhq_gather_shifted_offset_s16(&best->runner_up, third);
+        const mve_pred16_t weak = is_less(runner_up, 75, least, 100), ambiguous = is_less(runner_up, rest, least, 100);
+        firm = vaddvaq_p_s16(firm, one, (mve_pred16_t)~weak);
+        rejected = vaddvaq_p_s16(rejected, one, ambiguous);
+        vst1q_p_s16(job.disp + job.x + i, vaddq_n_s16(vld1q_s16(job.fine + i), shift), (mve_pred16_t)~ambiguous);
+#pragma GCC unroll 8
+        for (int32_t k = 7; k >= 0; k--)
+            if ((ambiguous >> (2 * k) & 1) == 0)
+                vote(&job, best + k, job.x + i + k);
+    }
+    stad_select_row_c(&job);
+    shared->firm = job.firm + firm;
+    shared->rejected = job.rejected + rejected;
+}
