@@ -25,7 +25,7 @@ static const char help[] =
     "  --method ncg|ncg-paper|sd|hybrid|descent     (ncg)\n"
     "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
     "  --threshold PX       error above which a pixel is wrong (1)\n"
-    "  --max-evals N        distinct evaluations at most, 1..200 (100)\n"
+    "  --max-evals N        distinct evaluations at most, 1..240 (100)\n"
     "  --share N            frames whose winners are kept, 8 bytes a pixel each: points that differ only in\n"
     "                       uniqueness_ratio or disp12_max_diff then need no matching (32; same result)\n"
     "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), "

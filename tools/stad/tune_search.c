@@ -57,11 +57,15 @@ static stad_params params_at(const stad_params *base, const stad_point *x)
 /* The library's bounds, widened to hold the start. */
 static void configure(const tune_job *j, stad_tune_config *c, const stad_point *start)
 {
-    int purpose = j->how.cost == STAD_SCORE_BAD    ? STAD_TUNE_FOR_BAD
-                  : j->how.cost == STAD_SCORE_CHOW ? STAD_TUNE_FOR_CHOW
-                                                   : STAD_TUNE_FOR_ANY;
+    int purpose = j->how.cost == STAD_SCORE_BAD || j->how.cost == STAD_SCORE_D1 ? STAD_TUNE_FOR_BAD
+                  : j->how.cost == STAD_SCORE_CHOW                              ? STAD_TUNE_FOR_CHOW
+                                                                                : STAD_TUNE_FOR_ANY;
     stad_tune_config_stereo(c, purpose);
     c->method = (uint8_t)j->method;
+    for (int i = 0; i < c->ladder_count && j->options.color; i++) { /* its points are for grey frames */
+        c->ladder[i].v[STAD_TUNE_P1] = (int16_t)(3 * c->ladder[i].v[STAD_TUNE_P1]);
+        c->ladder[i].v[STAD_TUNE_P2] = (int16_t)(3 * c->ladder[i].v[STAD_TUNE_P2]);
+    }
     if (j->free_mask)
         c->free_mask = (uint8_t)j->free_mask;
     if (j->max_evals)
