@@ -27,7 +27,7 @@ static const char help[] =
     "  --threshold PX       error above which a pixel is wrong (1)\n"
     "  --max-evals N        distinct evaluations at most, 1..240 (100)\n"
     "  --share N            frames whose winners are kept, 8 bytes a pixel each: points that differ only in\n"
-    "                       uniqueness_ratio or disp12_max_diff then need no matching (32; same result)\n"
+    "                       uniqueness_ratio or disp12_max_diff then need no matching (8; same result)\n"
     "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), "
     "values laid over\n"
     "  --free NAME,...      what may vary "
@@ -219,7 +219,7 @@ static int read_options(tune_job *j, int argc, char **argv, tool_fail *f)
     unsigned long long given = 0;
     match_options_init(&j->options);
     params_some_init(&j->start);
-    j->share = 32;
+    j->share = 8;
     while ((code = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
         int status = match_options_take(&j->options, code, optarg, &mine, f);
         if (code == 'h')
