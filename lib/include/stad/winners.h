@@ -7,7 +7,7 @@
  *     stad_match_frame(&m, &params, ...);                  matches, and leaves the winners in w
  *     params.uniqueness_ratio = 15;
  *     if (stad_winners_serve(&w, &params))
- *         stad_match_frame_again(&m, &params, &w, ...);    the same bits as stad_match_frame(), at a twentieth of its time
+ *         stad_match_frame_again(&m, &params, &w, ...);    the same bits as stad_match_frame(), in a sixth of its time
  *
  * A winner is the place, the cost and the best rival of a pixel, and its sub-pixel place: all that comes after the sums of
  * the paths asks for no more. Tuning profits, since it often moves only what is decided after the winners.
