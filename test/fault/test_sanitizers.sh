@@ -12,5 +12,5 @@ targets=$(cmake --build "$dir" --target help | sed -n 's/^\.\.\. \(test_[a-z0-9_
 # shellcheck disable=SC2086
 cmake --build "$dir" -j "$(nproc)" --target $targets >>"$dir.log" 2>&1 || { grep -A5 error "$dir.log" | head -n 40; exit 1; }
 cd "$dir"
-ctest -L '^(unit|kernel|property|fault)$' -R '/test_' -E 'sanitizers|valgrind|symbols|floors|tool|cross|example' \
+ctest -L '^(unit|kernel|property|fault)$' -R '/test_' -E 'sanitizers|valgrind|ubsan|symbols|floors|tool|cross|example' \
     -j "$(nproc)" --output-on-failure --timeout 900
