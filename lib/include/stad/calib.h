@@ -130,7 +130,8 @@ enum stad_calib_outcome {
     STAD_CALIB_ROLLED_BACK = 5, /* adopted, then worse on probation */
     STAD_CALIB_NO_MARKS = 6,    /* patience ran out looking for marks */
     STAD_CALIB_NO_POSE = 7,     /* patience ran out looking for another pose */
-    STAD_CALIB_RIG_FAILED = 8,  /* the rig needs a full calibration, or its correction was not confirmed */
+    STAD_CALIB_RIG_FAILED = 8,  /* the rig needs a full calibration, moved during the run, or its correction was not
+                                 * confirmed; an alarm is raised again after the monitor's cool-down */
     STAD_CALIB_FAULT = 9,       /* patience ran out on camera faults */
     STAD_CALIB_CANCELLED = 10
 };
@@ -146,7 +147,7 @@ enum stad_calib_fault {
     STAD_FAULT_SWAPPED = 6,   /* the marks are on the wrong side: left and right exchanged */
     STAD_FAULT_MARKS = 7,     /* too few marks, or marks that do not fit one sheet (a torn frame, a bent sheet) */
     STAD_FAULT_RANGE = 8,     /* the target is nearer or farther than the matcher searches */
-    STAD_FAULT_RIG = 9,       /* rows do not agree and no small correction makes them */
+    STAD_FAULT_RIG = 9,       /* rows do not agree and no small correction makes them, or not as at the run's start */
     STAD_FAULT_SIZE = 10,     /* not the geometry's size */
     STAD_FAULT_CAMERA = 11    /* the marks make no rectangular sheet in space: a wrong focal length or principal point */
 };
@@ -208,6 +209,7 @@ typedef struct stad_calib {
     int16_t trial_frames;        /* live frames of the probation */
     uint8_t scheduled;           /* the run was begun by the schedule: one frame, then leave it */
     uint8_t alarmed_on_trial;    /* 1: the monitor asked during the probation */
+    uint8_t alarm_stands;        /* 1: ... or after the last frame of the run, whose end is no answer then */
 } stad_calib;
 
 /* Defaults for a matcher of that geometry and a target; the camera is the caller's to give. */

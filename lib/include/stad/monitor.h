@@ -52,6 +52,7 @@ typedef struct stad_monitor {
     int32_t frames;      /* frames since the start of learning, saturating */
     int32_t cooldown;    /* frames left */
     int32_t since_look;  /* frames since marks were last looked for */
+    int32_t remind;      /* 1: alarm once more when the cool-down is over */
 } stad_monitor;
 
 /* The defaults above. */
@@ -67,6 +68,10 @@ void stad_monitor_restart(stad_monitor *m);
  * considered, more firm than considered): such a frame teaches nothing, but still counts for the schedule of marks.
  * */
 int stad_monitor_frame(stad_monitor *m, const stad_match_counts *counts);
+
+/* 1: what raised the alarm is still there; the cool-down begins anew, and at its end the alarm is raised again, for
+ * by then the fall has become usual. 0: no longer. */
+void stad_monitor_remind(stad_monitor *m, int on);
 
 /* 1 when it is time to look for marks; stad_monitor_looked() starts the wait anew. */
 int stad_monitor_look_due(const stad_monitor *m);

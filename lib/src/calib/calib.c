@@ -89,10 +89,15 @@ void stad_calib_enter(stad_calib *c, int phase)
 
 void stad_calib_finish(stad_calib *c, int outcome)
 {
+    int well = outcome == STAD_CALIB_ADOPTED || outcome == STAD_CALIB_CORRECTED || outcome == STAD_CALIB_KEPT;
+    int rig_moved = outcome == STAD_CALIB_RIG_FAILED ||
+                    (outcome == STAD_CALIB_ROLLED_BACK && c->report.fault == STAD_FAULT_RIG);
     stad_calib_enter(c, STAD_CALIB_IDLE);
     c->report.outcome = (uint8_t)outcome;
-    if (outcome == STAD_CALIB_ADOPTED || outcome == STAD_CALIB_CORRECTED || outcome == STAD_CALIB_KEPT)
+    if (well && !c->alarm_stands)
         c->report.alarmed = 0;
+    if (well || rig_moved)
+        stad_monitor_remind(&c->monitor, c->report.alarmed);
     stad_monitor_looked(&c->monitor);
 }
 
@@ -103,6 +108,7 @@ static void begin(stad_calib *c, int scheduled)
     c->report.alarmed = alarmed;
     c->report.preset = -1;
     c->candidate = c->active;
+    c->alarm_stands = 0;
     c->scheduled = (uint8_t)scheduled;
     stad_calib_enter(c, STAD_CALIB_LOOK);
 }
@@ -184,11 +190,19 @@ static void probation_frame(stad_calib *c, int state)
         stad_calib_enter(c, STAD_CALIB_RECHECK);
 }
 
+/* What happens from here on to SAVE is seen in no frame of the run: an alarm is not answered by its end. */
+static int took_its_last_frame(int phase)
+{
+    return phase == STAD_CALIB_PICK || phase == STAD_CALIB_TUNE || phase == STAD_CALIB_JUDGE;
+}
+
 int stad_calib_counts(stad_calib *c, const stad_match_counts *counts)
 {
     int state = stad_monitor_frame(&c->monitor, counts);
-    if (state == STAD_MONITOR_DEGRADED)
+    if (state == STAD_MONITOR_DEGRADED) {
         c->report.alarmed = 1;
+        c->alarm_stands = (uint8_t)took_its_last_frame(c->report.phase);
+    }
     if (c->report.phase == STAD_CALIB_PROBATION) {
         probation_frame(c, state);
     } else if (c->report.phase == STAD_CALIB_IDLE && state == STAD_MONITOR_DEGRADED) {

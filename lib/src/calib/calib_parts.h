@@ -8,6 +8,15 @@
 /* -- health.c: can this view be used at all? Remembers its hash. Returns enum stad_calib_fault. */
 int stad_calib_view_fault(stad_calib_view *view, const stad_image *image, int may_be_still);
 
+/* -- pairs.c */
+/* What is left of the rows' disagreement of `count` raw pairs with a correction applied; `room` for as many. Returns
+ * enum stad_rig_verdict. */
+int stad_calib_rig_verdict(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room,
+                           stad_rig_report *report);
+/* By the mean move, since the tuning frame, of the corners that both frames show, in the left view; a frame that
+ * shares no mark is another pose for certain. */
+int stad_calib_is_another_pose(const stad_calib *c, const stad_pair *pairs, int count);
+
 /* -- points.c: parameters as the tuner's points */
 stad_point stad_calib_point_of(const stad_params *params);
 stad_params stad_calib_params_at(const stad_params *base, const stad_point *point);

@@ -84,16 +84,6 @@ static int see(stad_calib *c, const stad_image *left, const stad_image *right, s
 
 /* -- the rig ----------------------------------------------------------------------------------------------------- */
 
-/* What is left of the rows' disagreement of `count` raw pairs with a correction applied; `room` for as many. */
-static int verdict_with(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room,
-                        stad_rig_report *report)
-{
-    stad_rig rest;
-    memcpy(room, pairs, (size_t)count * sizeof *room);
-    stad_rig_straighten(rig, room, count);
-    return stad_rig_fit(&rest, report, room, count, rig->width, rig->height);
-}
-
 static void set_rig(stad_calib *c, const stad_rig *rig)
 {
     c->candidate.rig = *rig;
@@ -112,11 +102,20 @@ static int choose_correction(stad_calib *c, const stad_pair *pairs, int count)
     int verdict = stad_rig_fit(&rig, &c->report.rig, pairs, count, g->width, g->height);
     if (verdict < 0 || verdict == STAD_RIG_FAIL)
         return STAD_FAULT_RIG;
-    if (verdict == STAD_RIG_GOOD)
+    int better_none = !c->report.rig.advised && c->report.verdict_before > STAD_RIG_WATCH;
+    if (verdict == STAD_RIG_GOOD || better_none)
         stad_rig_identity(&rig, g->width, g->height);
-    if (verdict == STAD_RIG_GOOD || c->report.rig.advised)
+    if (verdict == STAD_RIG_GOOD || better_none || c->report.rig.advised)
         set_rig(c, &rig);
     return STAD_FAULT_NONE;
+}
+
+/* A frame's rows agree as they did when the run made sure of them: the rig has not moved since. */
+static int rig_holds(const stad_calib *c, const stad_rig *rig, const stad_pair *pairs, int count,
+                     stad_pair *room)
+{
+    stad_rig_report rest;
+    return stad_calib_rig_verdict(rig, pairs, count, room, &rest) <= c->report.verdict_after;
 }
 
 static int rig_is_new(const stad_calib *c)
@@ -173,7 +172,8 @@ static int keep_pose(stad_calib *c, const stad_rig *rig, scratch *s)
 static int look(stad_calib *c, scratch *s)
 {
     stad_rig_report rest;
-    c->report.verdict_before = (uint8_t)verdict_with(&c->active.rig, s->pairs, s->count, s->room, &rest);
+    c->report.verdict_before =
+        (uint8_t)stad_calib_rig_verdict(&c->active.rig, s->pairs, s->count, s->room, &rest);
     c->report.verdict_after = c->report.verdict_before;
     c->report.rig = rest;
     if (c->report.verdict_before == STAD_RIG_GOOD && c->scheduled && !c->report.alarmed) {
@@ -188,27 +188,6 @@ static int look(stad_calib *c, scratch *s)
     if (fault == STAD_FAULT_NONE)
         stad_calib_enter(c, STAD_CALIB_OTHER);
     return fault;
-}
-
-static int32_t distance_q8(stad_corner a, stad_corner b)
-{
-    int32_t dx = a.x_q8 - b.x_q8, dy = a.y_q8 - b.y_q8;
-    dx = dx < 0 ? -dx : dx;
-    dy = dy < 0 ? -dy : dy;
-    return dx > dy ? dx : dy;
-}
-
-/* Mean move of the corners that both frames show, in the left view; a frame that shares no mark is another pose for
- * certain. */
-static int is_another_pose(const stad_calib *c, const scratch *s)
-{
-    const stad_calib_pose *was = &c->pose[0];
-    int32_t sum = 0, n = 0;
-    for (int i = 0; i < s->count; i++)
-        for (int j = 0; j < was->count; j++)
-            for (int k = 0; k < 4 && s->pairs[i].id == was->pairs[j].id; k++, n++)
-                sum += distance_q8(s->pairs[i].left[k], was->pairs[j].left[k]);
-    return sum >= 256 * c->config.pose_px * n;
 }
 
 static int string_up(stad_pair *out, int n, const stad_pair *more, int count)
@@ -246,16 +225,28 @@ static int other(stad_calib *c, scratch *s)
     return fault;
 }
 
-/* The corners of the fresh frames agree, by the verdict, with the correction. */
-static void confirmed(stad_calib *c, int verdict)
+static int rig_fails(stad_calib *c)
 {
+    stad_calib_finish(c, STAD_CALIB_RIG_FAILED);
+    return STAD_FAULT_RIG;
+}
+
+/* The corners of the fresh frames agree, by the verdict, with the correction. Held frames, whose single fits are
+ * noisier, may be one verdict worse and no more: else the rig moved since they were taken. */
+static int confirmed(stad_calib *c, int verdict, stad_pair *room)
+{
+    c->report.verdict_after = STAD_RIG_WATCH;
+    for (int i = 0; i < 2 && c->pose[1].count > 0; i++)
+        if (!rig_holds(c, &c->candidate.rig, c->pose[i].pairs, c->pose[i].count, room))
+            return rig_fails(c);
     c->report.verdict_after = (uint8_t)verdict;
     if (c->pose[1].count > 0) {
         stad_calib_trial_begin(c);
-        return;
+        return STAD_FAULT_NONE;
     }
     c->candidate.params = c->active.params; /* no other pose to judge parameters by */
     stad_calib_adopt(c);
+    return STAD_FAULT_NONE;
 }
 
 /* Fresh frames are pooled until they are as many as the noise of corners asks for. Not GOOD at first: fit once more
@@ -267,15 +258,15 @@ static int confirm(stad_calib *c, scratch *s)
     c->pooled = (int16_t)string_up(c->pool, c->pooled, s->pairs, s->count);
     if (c->pooled < STAD_CALIB_POOL)
         return STAD_FAULT_NONE;
-    int verdict = verdict_with(&c->candidate.rig, c->pool, c->pooled, s->room, &rest);
+    int verdict = stad_calib_rig_verdict(&c->candidate.rig, c->pool, c->pooled, s->room, &rest);
     int fault = STAD_FAULT_NONE;
     if (verdict == STAD_RIG_GOOD ||
         (c->step > 0 && verdict == STAD_RIG_WATCH && verdict < c->report.verdict_before))
-        confirmed(c, verdict);
+        fault = confirmed(c, verdict, s->room);
     else if (c->step == 0)
         fault = refit(c, s);
     else
-        stad_calib_finish(c, STAD_CALIB_RIG_FAILED);
+        fault = rig_fails(c);
     c->step = c->report.phase == STAD_CALIB_CONFIRM ? 1 : c->step;
     c->pooled = 0;
     return fault;
@@ -284,15 +275,19 @@ static int confirm(stad_calib *c, scratch *s)
 static int recheck(stad_calib *c, scratch *s)
 {
     stad_rig_report now, was;
-    int with_new = verdict_with(&c->active.rig, s->pairs, s->count, s->room, &now);
-    int with_old = verdict_with(&c->previous.rig, s->pairs, s->count, s->room, &was);
+    int with_new = stad_calib_rig_verdict(&c->active.rig, s->pairs, s->count, s->room, &now);
+    int with_old = stad_calib_rig_verdict(&c->previous.rig, s->pairs, s->count, s->room, &was);
     if (with_new > with_old) {
         stad_calib_roll_back(c);
-        return STAD_FAULT_NONE;
+        return STAD_FAULT_RIG;
     }
+    if (with_new > c->report.verdict_after)
+        return STAD_FAULT_RIG;
     int fault = keep_pose(c, &c->active.rig, s);
-    if (fault == STAD_FAULT_NONE)
+    if (fault == STAD_FAULT_NONE) {
+        c->alarm_stands = 0; /* whatever raised it, the rig is sound */
         stad_calib_enter(c, STAD_CALIB_COMPARE);
+    }
     return fault;
 }
 
@@ -304,7 +299,11 @@ static int use(stad_calib *c, scratch *s, int *fault)
         *fault = look(c, s);
         return *fault == STAD_FAULT_NONE && c->report.phase == STAD_CALIB_OTHER;
     case STAD_CALIB_OTHER:
-        if (!is_another_pose(c, s))
+        if (!rig_is_new(c) && !rig_holds(c, &c->active.rig, s->pairs, s->count, s->room)) {
+            *fault = STAD_FAULT_RIG;
+            return 0;
+        }
+        if (!stad_calib_is_another_pose(c, s->pairs, s->count))
             return 0;
         *fault = other(c, s);
         return *fault == STAD_FAULT_NONE;
@@ -337,10 +336,10 @@ static void give_up(stad_calib *c)
     if (phase == STAD_CALIB_OTHER && rig_is_new(c)) {
         stad_calib_enter(c, STAD_CALIB_CONFIRM);
     } else if (phase == STAD_CALIB_OTHER) {
-        stad_calib_finish(c, STAD_CALIB_NO_POSE);
+        stad_calib_finish(c, c->report.fault == STAD_FAULT_RIG ? STAD_CALIB_RIG_FAILED : STAD_CALIB_NO_POSE);
     } else if (phase == STAD_CALIB_CONFIRM) {
         stad_calib_finish(c, STAD_CALIB_RIG_FAILED);
-    } else if (phase == STAD_CALIB_RECHECK && c->alarmed_on_trial) {
+    } else if (phase == STAD_CALIB_RECHECK && (c->alarmed_on_trial || c->report.fault == STAD_FAULT_RIG)) {
         stad_calib_roll_back(c);
     } else if (phase == STAD_CALIB_RECHECK) {
         stad_calib_finish(c, STAD_CALIB_ADOPTED);

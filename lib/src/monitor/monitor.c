@@ -55,6 +55,14 @@ void stad_monitor_restart(stad_monitor *m)
     m->learn_sq = 0;
     m->frames = 0;
     m->cooldown = 0;
+    m->remind = 0;
+}
+
+void stad_monitor_remind(stad_monitor *m, int on)
+{
+    m->remind = on != 0;
+    if (on)
+        m->cooldown = m->config.cooldown_frames > 0 ? m->config.cooldown_frames : 1;
 }
 
 static void learn(stad_monitor *m)
@@ -81,6 +89,14 @@ static int32_t fall_q8(const stad_monitor *m)
     return fall < -clip ? -clip : fall;
 }
 
+static int alarm(stad_monitor *m)
+{
+    m->sum_q8 = 0;
+    m->remind = 0;
+    m->cooldown = m->config.cooldown_frames;
+    return STAD_MONITOR_DEGRADED;
+}
+
 static int watch(stad_monitor *m)
 {
     m->sum_q8 += fall_q8(m) - m->config.slack_q8;
@@ -90,13 +106,11 @@ static int watch(stad_monitor *m)
     if (m->cooldown > 0) {
         m->cooldown--;
         m->sum_q8 = 0;
-        return STAD_MONITOR_OK;
+        return m->cooldown == 0 && m->remind ? alarm(m) : STAD_MONITOR_OK;
     }
     if (m->sum_q8 <= m->config.threshold_q8)
         return STAD_MONITOR_OK;
-    m->sum_q8 = 0;
-    m->cooldown = m->config.cooldown_frames;
-    return STAD_MONITOR_DEGRADED;
+    return alarm(m);
 }
 
 int stad_monitor_frame(stad_monitor *m, const stad_match_counts *counts)

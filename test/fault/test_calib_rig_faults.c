@@ -1,0 +1,301 @@
+/* SPDX-License-Identifier: MIT
+ * test_calib_rig_faults.c - a rig that moves while the loop is at work: it is told, nothing is adopted on it, and the
+ * alarm is not taken for answered.
+ *
+ * The target in two poses before a room, rendered once; a knock rolls the right view down by whole rows. Costs are
+ * made up. */
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/target_scene.h"
+#include "stad/calib.h"
+#include "unity.h"
+
+#define W      320
+#define H      240
+#define PIXELS ((size_t)W * H)
+
+enum { POSES = 3 };
+
+static uint8_t shots[POSES][2][PIXELS];
+static uint8_t left_pix[PIXELS], right_pix[PIXELS];
+static uint8_t work[STAD_CALIB_FRAME_BYTES(W, H)] STAD_ALIGNED;
+static stad_calib calib;
+static stad_calib_config config;
+static stad_setup setup;
+static uint32_t noise_state;
+
+static int dice(void)
+{
+    noise_state = noise_state * 1664525u + 1013904223u;
+    return (int)(noise_state >> 8 & 0xffff);
+}
+
+static target_camera camera_of(void)
+{
+    target_camera c;
+    target_camera_default(&c, W, H);
+    c.f = 200;
+    c.supersample = 2;
+    return c;
+}
+
+static void render_all(void)
+{
+    static target_scene scene;
+    static float grey[PIXELS];
+    const target_pose poses[POSES] = {{{40, 8, 400}, 0.45, 0.10, 0.02},
+                                      {{10, -14, 390}, 0.40, -0.14, -0.04},
+                                      {{50, 0, 410}, 0.5, 0.0, 0.03}};
+    target_camera camera = camera_of();
+    for (int i = 0; i < POSES; i++) {
+        target_scene_clear(&scene);
+        target_scene_add_room(&scene, &camera, 500, 2000, 8, 3);
+        target_scene_add(&scene, stad_target_relief(), &poses[i]);
+        for (int view = 0; view < 2; view++) {
+            target_render(&scene, &camera, view, NULL, grey, NULL);
+            target_quantise(grey, (int)PIXELS, shots[i][view]);
+        }
+    }
+}
+
+static void begin_anew(void)
+{
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_start(&calib));
+}
+
+void setUp(void)
+{
+    const stad_geometry g = {W, H, 1, 64, 11, 8192, 127, STAD_MODE_SGBM, STAD_MEMORY_FAST};
+    target_camera camera = camera_of();
+    stad_camera fixed = target_camera_fixed(&camera);
+    noise_state = 7;
+    stad_calib_config_default(&config, &g, stad_target_relief(), &fixed);
+    config.patience = 5;
+    config.probation_frames = 3;
+    memset(&setup, 0, sizeof setup);
+    setup.width = W;
+    setup.height = H;
+    setup.channels = 1;
+    stad_params_sample(&setup.params, 64, 3, 1);
+    stad_rig_identity(&setup.rig, W, H);
+    begin_anew();
+}
+
+void tearDown(void)
+{
+}
+
+static uint8_t noisy(uint8_t v)
+{
+    int a = v + dice() % 3 - 1;
+    return (uint8_t)(a < 0 ? 0 : a > 255 ? 255 : a);
+}
+
+/* A pair with noise of its own, the right view `rows` lower. */
+static int give(int pose, int rows)
+{
+    for (size_t i = 0; i < PIXELS; i++) {
+        left_pix[i] = noisy(shots[pose][0][i]);
+        right_pix[i] = noisy(shots[pose][1][i < (size_t)rows * W ? i : i - (size_t)rows * W]);
+    }
+    stad_image left = stad_image_packed(left_pix, W, H, 1), right = stad_image_packed(right_pix, W, H, 1);
+    return stad_calib_frame(&calib, &left, &right, work, sizeof work);
+}
+
+static int live(int per_mille)
+{
+    stad_match_counts counts = {70000, 70 * per_mille, 0, 0, 0, 0};
+    return stad_calib_counts(&calib, &counts);
+}
+
+static int phase(void)
+{
+    return stad_calib_report_of(&calib)->phase;
+}
+
+static int32_t points(int p)
+{
+    return p * (STAD_COST_ONE / 100);
+}
+
+/* Blocks of 7 and more help, wherever the start is. */
+static int32_t helps(const stad_request *r, int least)
+{
+    return points(least + (r->params.block_size < 7 ? 5 * (7 - r->params.block_size) : 0));
+}
+
+/* Answers MATCH and SAVE until something else is wanted. */
+static void answer(int least)
+{
+    stad_request r;
+    for (int i = 0; i < 500; i++) {
+        int want = stad_calib_want(&calib, &r);
+        if (want == STAD_WANT_MATCH)
+            stad_calib_cost(&calib, helps(&r, least));
+        else if (want == STAD_WANT_SAVE)
+            stad_calib_saved(&calib, 0);
+        else
+            return;
+    }
+    TEST_FAIL_MESSAGE("it asks for ever");
+}
+
+static void expect_nothing_changed(int outcome, const char *what)
+{
+    TEST_ASSERT_EQUAL_MESSAGE(STAD_CALIB_IDLE, phase(), what);
+    TEST_ASSERT_EQUAL_MESSAGE(outcome, stad_calib_report_of(&calib)->outcome, what);
+    TEST_ASSERT_EQUAL_MESSAGE(STAD_FAULT_RIG, stad_calib_report_of(&calib)->fault, what);
+    TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&setup, stad_calib_setup(&calib), sizeof setup, what);
+}
+
+/* -- knocked while it looks -------------------------------------------------------------------------------------- */
+
+static void knock_before_the_other_pose(int rows)
+{
+    TEST_ASSERT_EQUAL(1, give(0, 0));
+    TEST_ASSERT_EQUAL(STAD_RIG_GOOD, stad_calib_report_of(&calib)->verdict_before);
+    for (int i = 0; i < config.patience; i++) {
+        TEST_ASSERT_EQUAL(STAD_CALIB_OTHER, phase());
+        TEST_ASSERT_EQUAL(STAD_E_RIG, give(1, rows));
+    }
+}
+
+void test_calib_knock_before_the_other_pose_is_told(void)
+{
+    const int rows[] = {1, 2, 3, 4, 5, 6, 12};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char what[32];
+        snprintf(what, sizeof what, "%d rows", rows[i]);
+        begin_anew();
+        knock_before_the_other_pose(rows[i]);
+        expect_nothing_changed(STAD_CALIB_RIG_FAILED, what);
+    }
+}
+
+void test_calib_one_torn_frame_of_the_other_pose_costs_patience_only(void)
+{
+    stad_request r;
+    TEST_ASSERT_EQUAL(1, give(0, 0));
+    TEST_ASSERT_EQUAL(STAD_E_RIG, give(1, 2));
+    TEST_ASSERT_EQUAL(1, give(1, 0));
+    TEST_ASSERT_EQUAL(STAD_WANT_MATCH, stad_calib_want(&calib, &r));
+}
+
+void test_calib_knock_of_a_rig_to_be_corrected_is_told(void)
+{
+    give(0, 2);
+    for (int i = 0; i < 60 && phase() != STAD_CALIB_IDLE; i++) {
+        give(1, 3);
+        answer(10);
+    }
+    expect_nothing_changed(STAD_CALIB_RIG_FAILED, "2 rows, then 3");
+}
+
+/* -- knocked on probation ---------------------------------------------------------------------------------------- */
+
+static void adopt(void)
+{
+    TEST_ASSERT_EQUAL(1, give(0, 0));
+    TEST_ASSERT_EQUAL(1, give(1, 0));
+    answer(10);
+    TEST_ASSERT_EQUAL(STAD_CALIB_PROBATION, phase());
+    for (int i = 0; i < config.probation_frames; i++)
+        live(800);
+    TEST_ASSERT_EQUAL(STAD_CALIB_RECHECK, phase());
+}
+
+void test_calib_knock_on_probation_takes_it_back(void)
+{
+    adopt();
+    for (int i = 0; i < config.patience; i++)
+        TEST_ASSERT_EQUAL(STAD_E_RIG, give(2, 2));
+    answer(10);
+    expect_nothing_changed(STAD_CALIB_ROLLED_BACK, "2 rows");
+}
+
+void test_calib_sound_probation_still_ends_well(void)
+{
+    adopt();
+    TEST_ASSERT_EQUAL(1, give(2, 0));
+    answer(10);
+    TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, stad_calib_report_of(&calib)->outcome);
+}
+
+/* -- the alarm --------------------------------------------------------------------------------------------------- */
+
+/* Live frames, none of them worse than the last, until a run begins. */
+static int frames_until_a_run(int most)
+{
+    int frames = 0;
+    while (phase() == STAD_CALIB_IDLE && frames < most) {
+        live(300);
+        frames++;
+    }
+    return frames;
+}
+
+void test_calib_alarm_of_a_knock_is_raised_again(void)
+{
+    stad_calib_cancel(&calib);
+    for (int i = 0; i < 30; i++)
+        live(800);
+    TEST_ASSERT_LESS_THAN(20, frames_until_a_run(100));
+    knock_before_the_other_pose(2);
+    TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->alarmed);
+    TEST_ASSERT_EQUAL(config.monitor.cooldown_frames, frames_until_a_run(200));
+    TEST_ASSERT_EQUAL(STAD_CALIB_LOOK, phase());
+}
+
+void test_calib_alarm_after_the_last_frame_outlives_the_run(void)
+{
+    stad_request r;
+    stad_calib_cancel(&calib);
+    for (int i = 0; i < 30; i++)
+        live(800);
+    stad_calib_start(&calib);
+    give(0, 0);
+    give(1, 0);
+    TEST_ASSERT_EQUAL(STAD_CALIB_PICK, phase());
+    for (int i = 0; i < 5; i++)
+        live(300);
+    while (stad_calib_want(&calib, &r) == STAD_WANT_MATCH)
+        stad_calib_cost(&calib, points(20));
+    TEST_ASSERT_EQUAL(STAD_CALIB_KEPT, stad_calib_report_of(&calib)->outcome);
+    TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->alarmed);
+    TEST_ASSERT_EQUAL(config.monitor.cooldown_frames, frames_until_a_run(200));
+}
+
+/* -- a pose that is no judge ------------------------------------------------------------------------------------- */
+
+void test_calib_pose_on_which_nearly_all_is_wrong_does_not_judge(void)
+{
+    config.probation_frames = 0;
+    begin_anew();
+    give(0, 0);
+    give(1, 0);
+    answer(70); /* 90 of 100 with the set in use, 70 with others */
+    TEST_ASSERT_EQUAL(STAD_CALIB_KEPT, stad_calib_report_of(&calib)->outcome);
+    TEST_ASSERT_EQUAL_MEMORY(&setup, stad_calib_setup(&calib), sizeof setup);
+    begin_anew();
+    give(0, 0);
+    give(1, 0);
+    answer(40);
+    TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, stad_calib_report_of(&calib)->outcome);
+}
+
+int main(void)
+{
+    render_all();
+    UNITY_BEGIN();
+    RUN_TEST(test_calib_knock_before_the_other_pose_is_told);
+    RUN_TEST(test_calib_one_torn_frame_of_the_other_pose_costs_patience_only);
+    RUN_TEST(test_calib_knock_of_a_rig_to_be_corrected_is_told);
+    RUN_TEST(test_calib_knock_on_probation_takes_it_back);
+    RUN_TEST(test_calib_sound_probation_still_ends_well);
+    RUN_TEST(test_calib_alarm_of_a_knock_is_raised_again);
+    RUN_TEST(test_calib_alarm_after_the_last_frame_outlives_the_run);
+    RUN_TEST(test_calib_pose_on_which_nearly_all_is_wrong_does_not_judge);
+    return UNITY_END();
+}
