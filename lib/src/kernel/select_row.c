@@ -36,17 +36,21 @@ static void vote(const stad_select_job *job, int32_t x, const stad_best *best)
 
 void stad_select_row_c(stad_select_job *job)
 {
-    for (int32_t i = job->count - 1; i >= 0; i--) {
-        const stad_best *best = &job->best[i];
-        const int32_t x = job->x + i;
-        job->firm += 75 * best->runner_up >= 100 * best->least;
-        if (is_ambiguous(job, best)) {
-            job->rejected++;
+    const stad_select_job j = *job; /* the rows written to might alias job itself */
+    int32_t firm = 0, rejected = 0;
+    for (int32_t i = j.count - 1; i >= 0; i--) {
+        const stad_best *best = &j.best[i];
+        const int32_t x = j.x + i;
+        firm += 75 * best->runner_up >= 100 * best->least;
+        if (is_ambiguous(&j, best)) {
+            rejected++;
             continue;
         }
-        vote(job, x, best);
-        job->disp[x] = wrap_i16(job->fine[i] + 16 * job->min_disparity);
-        if (job->confidence)
-            job->confidence[x] = margin(best);
+        vote(&j, x, best);
+        j.disp[x] = wrap_i16(j.fine[i] + 16 * j.min_disparity);
+        if (j.confidence)
+            j.confidence[x] = margin(best);
     }
+    job->firm += firm;
+    job->rejected += rejected;
 }
