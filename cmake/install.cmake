@@ -11,5 +11,7 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/stadimeter-config-v
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/stadimeter-config.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/stadimeter-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/stadimeter)
+# From the folder of the .pc file to the prefix, so that an install can go elsewhere than it was configured for.
+file(RELATIVE_PATH STAD_PC_TO_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 configure_file(cmake/stadimeter.pc.in ${CMAKE_CURRENT_BINARY_DIR}/stadimeter.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/stadimeter.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

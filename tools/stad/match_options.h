@@ -40,7 +40,7 @@ enum match_option_code {
 #define MATCH_OPTIONS_HELP                                                                                   \
     "  --mode sgbm|hh|3way|hh4      as cv::StereoSGBM's modes (sgbm)\n"                                      \
     "  --min-disparity N            smallest disparity searched, px (0)\n"                                   \
-    "  --num-disparities N          how many, a multiple of 16 (an eighth of the width)\n"                   \
+    "  --num-disparities N          how many, a multiple of 8, in 3way of 16 (an eighth of the width)\n"                   \
     "  --block-size N               side of the matching block, odd (3)\n"                                   \
     "  --p1 N, --p2 N               costs of small and large disparity steps (8 c b^2, 32 c b^2)\n"          \
     "  --disp12-max-diff N          largest left-right difference, px (1)\n"                                 \

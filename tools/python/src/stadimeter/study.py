@@ -21,6 +21,7 @@ import sys
 import time
 from dataclasses import asdict, dataclass
 from functools import lru_cache
+from importlib.util import find_spec
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -379,6 +380,10 @@ def _write(answer: Dict[str, Any], path: Optional[str]) -> None:
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     options = _parser().parse_args(arguments)
+    missing = [name for name in ("dask", "PIL") if find_spec(name) is None]
+    if missing:
+        print(f"stadimeter.study: {missing[0]} is not installed: pip install 'stadimeter[study]'", file=sys.stderr)
+        return 3
     settings = Settings(MODES[options.mode], options.threshold, options.cost)
     try:
         scenes = read_scenes(options.scenes, options.num_disparities)
