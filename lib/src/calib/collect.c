@@ -110,12 +110,11 @@ static int choose_correction(stad_calib *c, const stad_pair *pairs, int count)
     return STAD_FAULT_NONE;
 }
 
-/* A frame's rows agree as they did when the run made sure of them: the rig has not moved since. */
-static int rig_holds(const stad_calib *c, const stad_rig *rig, const stad_pair *pairs, int count,
-                     stad_pair *room)
+/* The rows of a single frame still agree. WATCH is let pass: blur and noise of one frame bring that about. */
+static int rig_holds(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room)
 {
     stad_rig_report rest;
-    return stad_calib_rig_verdict(rig, pairs, count, room, &rest) <= c->report.verdict_after;
+    return stad_calib_rig_verdict(rig, pairs, count, room, &rest) <= STAD_RIG_WATCH;
 }
 
 static int rig_is_new(const stad_calib *c)
@@ -231,13 +230,12 @@ static int rig_fails(stad_calib *c)
     return STAD_FAULT_RIG;
 }
 
-/* The corners of the fresh frames agree, by the verdict, with the correction. Held frames, whose single fits are
- * noisier, may be one verdict worse and no more: else the rig moved since they were taken. */
+/* The corners of the fresh frames agree, by the verdict, with the correction. If those of the held frames do not, the
+ * rig moved since they were taken. */
 static int confirmed(stad_calib *c, int verdict, stad_pair *room)
 {
-    c->report.verdict_after = STAD_RIG_WATCH;
     for (int i = 0; i < 2 && c->pose[1].count > 0; i++)
-        if (!rig_holds(c, &c->candidate.rig, c->pose[i].pairs, c->pose[i].count, room))
+        if (!rig_holds(&c->candidate.rig, c->pose[i].pairs, c->pose[i].count, room))
             return rig_fails(c);
     c->report.verdict_after = (uint8_t)verdict;
     if (c->pose[1].count > 0) {
@@ -281,7 +279,7 @@ static int recheck(stad_calib *c, scratch *s)
         stad_calib_roll_back(c);
         return STAD_FAULT_RIG;
     }
-    if (with_new > c->report.verdict_after)
+    if (with_new > STAD_RIG_WATCH)
         return STAD_FAULT_RIG;
     int fault = keep_pose(c, &c->active.rig, s);
     if (fault == STAD_FAULT_NONE) {
@@ -299,7 +297,7 @@ static int use(stad_calib *c, scratch *s, int *fault)
         *fault = look(c, s);
         return *fault == STAD_FAULT_NONE && c->report.phase == STAD_CALIB_OTHER;
     case STAD_CALIB_OTHER:
-        if (!rig_is_new(c) && !rig_holds(c, &c->active.rig, s->pairs, s->count, s->room)) {
+        if (!rig_is_new(c) && !rig_holds(&c->active.rig, s->pairs, s->count, s->room)) {
             *fault = STAD_FAULT_RIG;
             return 0;
         }
