@@ -193,6 +193,49 @@ void test_calib_knock_of_a_rig_to_be_corrected_is_told(void)
     expect_nothing_changed(STAD_CALIB_RIG_FAILED, "2 rows, then 3");
 }
 
+/* -- one view late ----------------------------------------------------------------------------------------------- */
+
+/* The target glides down by a row a frame, and the right view is a frame late: a rig 1 px off, by every frame. */
+static int glide(int at, int lag)
+{
+    for (size_t i = 0; i < PIXELS; i++) {
+        size_t down = (size_t)at * W, late = (size_t)(at - lag) * W;
+        left_pix[i] = noisy(shots[0][0][i < down ? i : i - down]);
+        right_pix[i] = noisy(shots[0][1][i < late ? i : i - late]);
+    }
+    stad_image left = stad_image_packed(left_pix, W, H, 1), right = stad_image_packed(right_pix, W, H, 1);
+    return stad_calib_frame(&calib, &left, &right, work, sizeof work);
+}
+
+void test_calib_late_view_of_a_moving_target_is_not_taken_for_drift(void)
+{
+    for (int at = 1; at < 20 && phase() != STAD_CALIB_IDLE; at++) {
+        glide(at, 1);
+        TEST_ASSERT_LESS_THAN(STAD_CALIB_PICK, phase());
+    }
+    TEST_ASSERT_EQUAL(STAD_CALIB_RIG_FAILED, stad_calib_report_of(&calib)->outcome);
+    TEST_ASSERT_EQUAL(STAD_FAULT_MOVING, stad_calib_report_of(&calib)->fault);
+    TEST_ASSERT_EQUAL_MEMORY(&setup, stad_calib_setup(&calib), sizeof setup);
+}
+
+void test_calib_late_view_of_a_target_that_stops_is_not_taken_for_drift(void)
+{
+    for (int i = 1; i < 40 && phase() != STAD_CALIB_IDLE; i++) {
+        glide(i < 12 ? i : 12, i <= 12 ? 1 : 0);
+        answer(10);
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&setup, stad_calib_setup(&calib), sizeof setup);
+}
+
+/* Both views in time: motion is no fault of the rig, and the correction waits until it ends. */
+void test_calib_drift_is_corrected_when_the_target_stops(void)
+{
+    for (int i = 1; i < 40 && phase() != STAD_CALIB_SAVE; i++)
+        glide(i < 9 ? i + 2 : 10, 2);
+    TEST_ASSERT_EQUAL(STAD_CALIB_SAVE, phase());
+    TEST_ASSERT_INT_WITHIN(65536 / 4, -2 * 65536, stad_calib_setup(&calib)->rig.a_q16);
+}
+
 /* -- knocked on probation ---------------------------------------------------------------------------------------- */
 
 static void adopt(void)
@@ -292,6 +335,9 @@ int main(void)
     RUN_TEST(test_calib_knock_before_the_other_pose_is_told);
     RUN_TEST(test_calib_one_torn_frame_of_the_other_pose_costs_patience_only);
     RUN_TEST(test_calib_knock_of_a_rig_to_be_corrected_is_told);
+    RUN_TEST(test_calib_late_view_of_a_moving_target_is_not_taken_for_drift);
+    RUN_TEST(test_calib_late_view_of_a_target_that_stops_is_not_taken_for_drift);
+    RUN_TEST(test_calib_drift_is_corrected_when_the_target_stops);
     RUN_TEST(test_calib_knock_on_probation_takes_it_back);
     RUN_TEST(test_calib_sound_probation_still_ends_well);
     RUN_TEST(test_calib_alarm_of_a_knock_is_raised_again);

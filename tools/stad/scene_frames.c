@@ -2,7 +2,8 @@
  * stad/scene_frames.c - `stad scene --target`: a recording of a room in which someone holds up the target.
  *
  * The pose wanders along sines of different periods, so that neighbouring frames are alike and distant ones are other poses.
- * In the coordinates of the trials: a wide lens, the target 0.42 of the image wide at about half of the disparity range. */
+ * In the coordinates of the trials: a wide lens, the target 0.42 of the image wide at about half of the disparity range.
+ * Now and then it is held still: a correction of the rig is only confirmed on a target that does not move. */
 #include "scene_frames.h"
 
 #include <math.h>
@@ -30,9 +31,19 @@ static double place(const scene_frames *s, target_camera *c)
     return z;
 }
 
+#define MOVES 28 /* frames, */
+#define RESTS 12 /* then so many of the last pose */
+
+/* Steps of the path up to frame i. */
+static int steps_at(int i)
+{
+    int within = i % (MOVES + RESTS);
+    return i / (MOVES + RESTS) * (MOVES - 1) + (within < MOVES ? within : MOVES - 1);
+}
+
 static target_pose pose_at(const scene_frames *s, const target_camera *c, double z, int i)
 {
-    double t = i + 17.0 * s->seed, px = s->width * (0.6 + 0.05 * sin(t / 5)),
+    double t = steps_at(i) + 17.0 * s->seed, px = s->width * (0.6 + 0.05 * sin(t / 5)),
            py = s->height * (0.5 + 0.05 * sin(t / 7 + 1));
     target_pose p;
     p.centre.z = z * (1 + 0.06 * sin(t / 9));

@@ -32,7 +32,8 @@ const char *simulate_outcome_name(int outcome)
 const char *simulate_fault_name(int fault)
 {
     static const char *const names[] = {"none",    "late",  "black", "saturated", "flat", "frozen",
-                                        "swapped", "marks", "range", "rig",       "size", "camera"};
+                                        "swapped", "marks", "range", "rig",       "size", "camera",
+                                        "moving"};
     return NAME_OF(names, fault);
 }
 

@@ -149,7 +149,8 @@ enum stad_calib_fault {
     STAD_FAULT_RANGE = 8,     /* the target is nearer or farther than the matcher searches */
     STAD_FAULT_RIG = 9,       /* rows do not agree and no small correction makes them, or not as at the run's start */
     STAD_FAULT_SIZE = 10,     /* not the geometry's size */
-    STAD_FAULT_CAMERA = 11    /* the marks make no rectangular sheet in space: a wrong focal length or principal point */
+    STAD_FAULT_CAMERA = 11,   /* the marks make no rectangular sheet in space: a wrong focal length or principal point */
+    STAD_FAULT_MOVING = 12    /* CONFIRM: hold the target still; a moving one tells of views that come late, not of the rig */
 };
 
 /* What the calibration says of itself. Costs are Q20. */
@@ -172,7 +173,7 @@ typedef struct stad_calib_report {
 /* -- state ------------------------------------------------------------------------------------------------------- */
 
 #define STAD_CALIB_PAIRS 8  /* of a frame */
-#define STAD_CALIB_POOL  16 /* of the fresh frames that confirm a correction: four frames with four marks */
+#define STAD_CALIB_POOL  16 /* of the fresh, still frames that confirm a correction: four frames with four marks */
 
 /* A frame that is held by the application, as far as calib remembers it. */
 typedef struct stad_calib_pose {
@@ -206,6 +207,7 @@ typedef struct stad_calib {
     int16_t step;                /* within a phase */
     int16_t vain;                /* frames without use */
     int16_t pooled;              /* pairs in the pool */
+    int16_t still;               /* frames in a row in which the target was where it was before */
     int16_t trial_frames;        /* live frames of the probation */
     uint8_t scheduled;           /* the run was begun by the schedule: one frame, then leave it */
     uint8_t alarmed_on_trial;    /* 1: the monitor asked during the probation */

@@ -17,6 +17,9 @@ int stad_calib_rig_verdict(const stad_rig *rig, const stad_pair *pairs, int coun
  * shares no mark is another pose for certain. */
 int stad_calib_is_another_pose(const stad_calib *c, const stad_pair *pairs, int count);
 
+/* 1: no mark has moved by a quarter of a pixel, in the left view, since the last frame in the pool. */
+int stad_calib_is_still(const stad_calib *c, const stad_pair *pairs, int count);
+
 /* -- points.c: parameters as the tuner's points */
 stad_point stad_calib_point_of(const stad_params *params);
 stad_params stad_calib_params_at(const stad_params *base, const stad_point *point);

@@ -11,6 +11,7 @@
 #include "base/bytes.h"
 
 #define MARKS 16
+#define LAG   2 /* frames by which one view may be later than the other, unseen */
 
 /* What a frame's marks need while they are looked at; lies at the front of the caller's workspace. */
 typedef struct scratch {
@@ -247,15 +248,28 @@ static int confirmed(stad_calib *c, int verdict, stad_pair *room)
     return STAD_FAULT_NONE;
 }
 
+/* Pools a fresh frame if the target was still in it and the two before. A view that comes late shows a moving target
+ * in rows that do not agree, in every frame alike; a still one it shows as it is. */
+static int pool(stad_calib *c, const scratch *s)
+{
+    int known = c->pooled > 0, still = known && stad_calib_is_still(c, s->pairs, s->count);
+    c->still = (int16_t)(still ? c->still + 1 : 0);
+    if (c->still <= LAG)
+        c->pooled = 0;
+    c->pooled = (int16_t)string_up(c->pool, c->pooled, s->pairs, s->count);
+    if (c->still >= LAG)
+        c->vain = -1; /* this frame is of use */
+    return known && !still ? STAD_FAULT_MOVING : STAD_FAULT_NONE;
+}
+
 /* Fresh frames are pooled until they are as many as the noise of corners asks for. Not GOOD at first: fit once more
  * with them, and ask fresh ones again. */
 static int confirm(stad_calib *c, scratch *s)
 {
     stad_rig_report rest;
-    c->vain = -1; /* this frame is of use */
-    c->pooled = (int16_t)string_up(c->pool, c->pooled, s->pairs, s->count);
-    if (c->pooled < STAD_CALIB_POOL)
-        return STAD_FAULT_NONE;
+    int moving = pool(c, s);
+    if (moving != STAD_FAULT_NONE || c->still < LAG || c->pooled < STAD_CALIB_POOL)
+        return moving;
     int verdict = stad_calib_rig_verdict(&c->candidate.rig, c->pool, c->pooled, s->room, &rest);
     int fault = STAD_FAULT_NONE;
     if (verdict == STAD_RIG_GOOD ||
@@ -352,7 +366,7 @@ static int status_of(int fault)
         return STAD_E_NO_MARK;
     if (fault == STAD_FAULT_RIG || fault == STAD_FAULT_CAMERA)
         return STAD_E_RIG;
-    if (fault == STAD_FAULT_LATE)
+    if (fault == STAD_FAULT_LATE || fault == STAD_FAULT_MOVING)
         return STAD_AGAIN;
     return fault == STAD_FAULT_SIZE ? STAD_E_SIZE : STAD_E_CORRUPT;
 }

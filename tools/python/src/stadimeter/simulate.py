@@ -21,7 +21,8 @@ STATES = ("learning", "ok", "degraded")
 PHASES = ("idle", "look", "other", "confirm", "pick", "tune", "judge", "save", "probation", "recheck", "compare")
 OUTCOMES = ("none", "sound", "adopted", "corrected", "kept", "rolled back", "no marks", "no pose", "rig failed", "fault",
             "cancelled")
-FAULTS = ("none", "late", "black", "saturated", "flat", "frozen", "swapped", "marks", "range", "rig", "size", "camera")
+FAULTS = ("none", "late", "black", "saturated", "flat", "frozen", "swapped", "marks", "range", "rig", "size", "camera",
+          "moving")
 _NOTHING, _FRAME, _MATCH, _SAVE = range(4)
 # The bounds of the search: the matcher's memory is made for them.
 _MOST_BLOCK, _MOST_P2, _MOST_CAP, _EVERY_EVALUATION = 11, 8192, 127, 240
