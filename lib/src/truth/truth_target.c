@@ -69,7 +69,7 @@ static int add_parts(stad_truth *t, const sheet_pose *pose, const stad_target *t
 static int camera_ok(const stad_camera *c)
 {
     const int32_t most = 1 << 20;
-    return c->f_q8 >= 16 * 256 && c->f_q8 < most && abs_i32(c->cx_q8) < most && abs_i32(c->cy_q8) < most;
+    return c->f_q8 >= 16 * 256 && c->f_q8 < most && c->cx_q8 > -most && c->cx_q8 < most && c->cy_q8 > -most && c->cy_q8 < most;
 }
 
 /* Pairs of marks that the pose rests on. */
