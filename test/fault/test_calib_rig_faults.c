@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * test_calib_rig_faults.c - a rig that moves while the loop is at work: it is told, nothing is adopted on it, and the
- * alarm is not taken for answered.
+ * test_calib_rig_faults.c - a rig that moves and views that come late or stuck while the loop is at work: it is told,
+ * nothing is adopted on it, and the alarm is not taken for answered.
  *
  * The target in two poses before a room, rendered once; a knock rolls the right view down by whole rows. Costs are
  * made up. */
@@ -236,6 +236,30 @@ void test_calib_drift_is_corrected_when_the_target_stops(void)
     TEST_ASSERT_INT_WITHIN(65536 / 4, -2 * 65536, stad_calib_setup(&calib)->rig.a_q16);
 }
 
+/* Buffers handed out in turns that nobody fills any more. */
+void test_calib_stuck_buffers_are_told(void)
+{
+    static uint8_t stuck[5][PIXELS];
+    for (int buffers = 1; buffers <= 5; buffers++) {
+        char what[32];
+        snprintf(what, sizeof what, "%d buffers", buffers);
+        for (int k = 0; k < buffers; k++)
+            for (size_t i = 0; i < PIXELS; i++)
+                stuck[k][i] = noisy(shots[0][1][i]);
+        begin_anew();
+        for (int f = 0; f < 2 * buffers; f++) {
+            for (size_t i = 0; i < PIXELS; i++)
+                left_pix[i] = noisy(shots[0][0][i]);
+            stad_image left = stad_image_packed(left_pix, W, H, 1);
+            stad_image right = stad_image_packed(stuck[f % buffers], W, H, 1);
+            int status = stad_calib_frame(&calib, &left, &right, work, sizeof work);
+            int told = status == STAD_E_CORRUPT && stad_calib_report_of(&calib)->fault == STAD_FAULT_FROZEN;
+            if (phase() == STAD_CALIB_LOOK || phase() == STAD_CALIB_OTHER)
+                TEST_ASSERT_EQUAL_MESSAGE(f >= buffers && buffers <= 4, told, what);
+        }
+    }
+}
+
 /* -- knocked on probation ---------------------------------------------------------------------------------------- */
 
 static void adopt(void)
@@ -338,6 +362,7 @@ int main(void)
     RUN_TEST(test_calib_late_view_of_a_moving_target_is_not_taken_for_drift);
     RUN_TEST(test_calib_late_view_of_a_target_that_stops_is_not_taken_for_drift);
     RUN_TEST(test_calib_drift_is_corrected_when_the_target_stops);
+    RUN_TEST(test_calib_stuck_buffers_are_told);
     RUN_TEST(test_calib_knock_on_probation_takes_it_back);
     RUN_TEST(test_calib_sound_probation_still_ends_well);
     RUN_TEST(test_calib_alarm_of_a_knock_is_raised_again);

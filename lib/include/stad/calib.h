@@ -100,7 +100,7 @@ typedef struct stad_calib_config {
     uint8_t rule;             /* enum stad_rule */
     uint8_t preset_mask;      /* bit i: preset i may be picked; default all */
     uint8_t tunes;            /* 0: only pick among the presets; default 1 */
-    uint8_t still;            /* 1: identical frames in a row are no fault (recordings without noise); default 0 */
+    uint8_t still;            /* 1: identical frames are no fault (recordings without noise); default 0 */
 } stad_calib_config;
 
 /* -- what it says ------------------------------------------------------------------------------------------------ */
@@ -143,7 +143,7 @@ enum stad_calib_fault {
     STAD_FAULT_BLACK = 2,     /* a view without light */
     STAD_FAULT_SATURATED = 3, /* a view more than half white */
     STAD_FAULT_FLAT = 4,      /* a view without content: a dead camera */
-    STAD_FAULT_FROZEN = 5,    /* a view identical to the one before */
+    STAD_FAULT_FROZEN = 5,    /* a view identical to one of the four before */
     STAD_FAULT_SWAPPED = 6,   /* the marks are on the wrong side: left and right exchanged */
     STAD_FAULT_MARKS = 7,     /* too few marks, or marks that do not fit one sheet (a torn frame, a bent sheet) */
     STAD_FAULT_RANGE = 8,     /* the target is nearer or farther than the matcher searches */
@@ -173,6 +173,7 @@ typedef struct stad_calib_report {
 /* -- state ------------------------------------------------------------------------------------------------------- */
 
 #define STAD_CALIB_PAIRS 8  /* of a frame */
+#define STAD_CALIB_SEEN  4  /* pictures of a view that the next is compared with */
 #define STAD_CALIB_POOL  16 /* of the fresh, still frames that confirm a correction: four frames with four marks */
 
 /* A frame that is held by the application, as far as calib remembers it. */
@@ -185,8 +186,8 @@ typedef struct stad_calib_pose {
 
 /* What the health check remembers of a view. */
 typedef struct stad_calib_view {
-    uint32_t hash; /* of the last picture */
-    int32_t seen;  /* pictures so far */
+    uint32_t hash[STAD_CALIB_SEEN]; /* of the last pictures */
+    int32_t seen, next;             /* how many there are; which is overwritten next */
 } stad_calib_view;
 
 /* Private; read it through the calls. */

@@ -2,7 +2,7 @@
  * frame -> [HEALTH] -> marks        calib/health.c - black, white, blank or frozen views are not looked at further
  *
  * Every fourth pixel of every fourth row: 1,200 samples at 320 x 240 / 16. A live sensor never gives the same samples
- * twice. */
+ * twice; one that hands out buffers in turns gives them again after a few frames. */
 #include "calib/calib_parts.h"
 
 #define GRID     4
@@ -33,12 +33,22 @@ static samples take(const stad_image *image)
     return s;
 }
 
+/* Among the last pictures; and remembers this one. */
+static int is_known(stad_calib_view *view, uint32_t hash)
+{
+    int known = 0, most = view->seen < STAD_CALIB_SEEN ? view->seen : STAD_CALIB_SEEN;
+    for (int i = 0; i < most; i++)
+        known |= view->hash[i] == hash;
+    view->hash[view->next] = hash;
+    view->next = (view->next + 1) % STAD_CALIB_SEEN;
+    view->seen = most < STAD_CALIB_SEEN ? most + 1 : most;
+    return known;
+}
+
 int stad_calib_view_fault(stad_calib_view *view, const stad_image *image, int may_be_still)
 {
     samples s = take(image);
-    int frozen = view->seen && view->hash == s.hash && !may_be_still;
-    view->hash = s.hash;
-    view->seen = 1;
+    int frozen = is_known(view, s.hash) && !may_be_still;
     if (s.high < DARK)
         return STAD_FAULT_BLACK;
     if (s.high - s.low < CONTRAST)
