@@ -2,6 +2,7 @@
  * stad/recording.c - recorded stereo frames, however they lie on the disk. */
 #include "recording.h"
 
+#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
@@ -48,12 +49,14 @@ static char *replaced(const char *name, const char *from, const char *to)
     return other;
 }
 
+#define WORDS 5
+static const char *const words[WORDS][2] = {
+    {"left", "right"}, {"Left", "Right"}, {"_0.", "_1."}, {"_L.", "_R."}, {"im0", "im1"}};
+
 /* The right view's file beside a left one, or NULL when `name` is no left one. */
 static char *partner(const char *folder, const char *name)
 {
-    static const char *const words[][2] = {
-        {"left", "right"}, {"Left", "Right"}, {"_0.", "_1."}, {"_L.", "_R."}, {"im0", "im1"}};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+    for (int i = 0; i < WORDS; i++) {
         char *other = replaced(name, words[i][0], words[i][1]);
         char *path = other ? join(folder, other) : NULL;
         free(other);
@@ -105,6 +108,51 @@ static int reserve(recording *r, int frames, const char *folder, tool_fail *f)
     return TOOL_OK;
 }
 
+/* Alike but for digits. */
+static int is_alike(const char *a, const char *b)
+{
+    for (; *a && *b; a++, b++)
+        if (*a != *b && !(isdigit((unsigned char)*a) && isdigit((unsigned char)*b)))
+            return 0;
+    return *a == *b;
+}
+
+/* The name that `name`'s other view would have, side 0 given or 1, when a pair of the listing is called alike. */
+static char *expected(const listing *l, const char *folder, const char *name, int side)
+{
+    for (int w = 0; w < WORDS; w++) {
+        char *other = replaced(name, words[w][side], words[w][1 - side]);
+        for (int i = 0; other && i < l->count; i++) {
+            char *right = is_alike(l->entry[i]->d_name, side ? other : name) ? partner(folder, l->entry[i]->d_name)
+                                                                             : NULL;
+            free(right);
+            if (right)
+                return other;
+        }
+        free(other);
+    }
+    return NULL;
+}
+
+/* A view of a pair whose other file is gone: a frame that cannot be read, told when its turn comes. */
+static int add_half(recording *r, const listing *l, const char *folder, const char *name)
+{
+    for (int side = 0; side < 2; side++) {
+        char *other = expected(l, folder, name, side), *path = other ? join(folder, other) : NULL;
+        int gone = path && !is_file(path);
+        free(other);
+        if (!gone) {
+            free(path);
+            continue;
+        }
+        r->left[r->count] = side ? path : join(folder, name);
+        r->right[r->count] = side ? join(folder, name) : path;
+        r->count++;
+        return r->left[r->count - 1] && r->right[r->count - 1];
+    }
+    return 1;
+}
+
 /* Pairs in one folder, or single pictures that hold both views. */
 static int scan_one(recording *r, const char *folder, int side_by_side, tool_fail *f)
 {
@@ -119,8 +167,11 @@ static int scan_one(recording *r, const char *folder, int side_by_side, tool_fai
             break;
         }
         char *right = side_by_side ? NULL : partner(folder, l.entry[i]->d_name);
-        if (!right && !side_by_side)
+        if (!right && !side_by_side) {
+            if (!add_half(r, &l, folder, l.entry[i]->d_name))
+                status = tool_fail_set(f, TOOL_FILE, "%s: not enough memory for its names", folder);
             continue;
+        }
         r->right[r->count] = right;
         r->left[r->count] = join(folder, l.entry[i]->d_name);
         if (!r->left[r->count++])

@@ -62,6 +62,11 @@ static const char *decision(int outcome)
     return outcome >= 0 && outcome < (int)(sizeof reasons / sizeof reasons[0]) ? reasons[outcome] : "?";
 }
 
+static const char *verdict(const stad_calib_report *c, int verdict)
+{
+    return c->rig.corners > 0 ? simulate_verdict_name(verdict) : "&ndash;";
+}
+
 static void runs(report *r, const simulation *s)
 {
     if (s->run_count == 0) {
@@ -69,20 +74,30 @@ static void runs(report *r, const simulation *s)
         return;
     }
     fputs("<table><tr><th>run ended at frame</th><th>outcome</th><th>last "
-          "fault</th><th>evaluations</th><th>tuning pose</th><th>other "
+          "fault</th><th>rig</th><th>evaluations</th><th>tuning pose</th><th>other "
           "pose</th><th>why</th></tr>\n",
           r->to);
     for (int i = 0; i < s->run_count; i++) {
         const stad_calib_report *c = &s->runs[i].report;
         fprintf(r->to,
-                "<tr><td>%d</td><td>%s</td><td>%s</td><td>%d</td><td>%.2f &rarr; %.2f %%</td><td>%.2f &rarr; "
+                "<tr><td>%d</td><td>%s</td><td>%s</td><td>%s &rarr; %s</td><td>%d</td><td>%.2f &rarr; %.2f %%</td><td>%.2f &rarr; "
                 "%.2f %%</td><td>%s</td></tr>\n",
                 s->runs[i].frame, simulate_outcome_name(c->outcome), simulate_fault_name(c->fault),
-                c->evaluations, 100.0 * c->tune_before_q20 / STAD_COST_ONE,
+                verdict(c, c->verdict_before), verdict(c, c->verdict_after), c->evaluations, 100.0 * c->tune_before_q20 / STAD_COST_ONE,
                 100.0 * c->tune_after_q20 / STAD_COST_ONE, 100.0 * c->judge_before_q20 / STAD_COST_ONE,
                 100.0 * c->judge_after_q20 / STAD_COST_ONE, decision(c->outcome));
     }
     fputs("</table>\n<p>Adopted is only what was better on a pose it was not tuned on.</p>\n", r->to);
+}
+
+static void correction(report *r, const char *which, const stad_setup *setup)
+{
+    sim_correction c = simulate_correction(&setup->rig);
+    fprintf(r->to, "<p>Correction of the right view, %s: ", which);
+    if (setup->corrected)
+        fprintf(r->to, "%.2f px, %.2f degrees, %.2f %%.</p>\n", c.dy_px, c.roll_degrees, c.scale_percent);
+    else
+        fputs("none.</p>\n", r->to);
 }
 
 static void setups(report *r, const simulation *s)
@@ -99,8 +114,10 @@ static void setups(report *r, const simulation *s)
         else
             fputs("<td>&ndash;</td></tr>\n", r->to);
     }
-    fprintf(r->to, "</table>\n<p>Correction of the right view: %s.</p>\n",
-            stad_calib_setup(&s->calib)->corrected ? "applied" : "none");
+    fputs("</table>\n", r->to);
+    correction(r, "in use", stad_calib_setup(&s->calib));
+    if (s->stored_slot >= 0)
+        correction(r, "stored", &s->stored);
 }
 
 /* Row by row, as the setup has it. */

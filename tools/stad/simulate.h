@@ -21,7 +21,7 @@ typedef struct sim_flash {
 
 /* A frame in the log. */
 typedef struct sim_row {
-    int frame, state, phase, skipped;
+    int frame, state, phase, fault, skipped;
     double share; /* of considered pixels that are firm; what the monitor watches */
     stad_match_counts counts;
     stad_params params; /* it was matched with */
@@ -31,8 +31,7 @@ typedef struct sim_row {
 typedef struct sim_run {
     int frame;
     stad_calib_report report;
-    stad_params params; /* in use since */
-    int corrected;
+    stad_setup setup; /* in use since */
 } sim_run;
 
 #define SIM_RUNS 64
@@ -77,6 +76,13 @@ const char *simulate_state_name(int state);
 const char *simulate_phase_name(int phase);
 const char *simulate_outcome_name(int outcome);
 const char *simulate_fault_name(int fault);
+const char *simulate_verdict_name(int verdict);
+
+/* A correction as one says it. */
+typedef struct sim_correction {
+    double dy_px, roll_degrees, scale_percent;
+} sim_correction;
+sim_correction simulate_correction(const stad_rig *rig);
 
 void simulate_print(const simulation *s);
 int simulate_write_csv(const simulation *s, tool_fail *f);

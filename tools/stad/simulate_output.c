@@ -37,15 +37,47 @@ const char *simulate_fault_name(int fault)
     return NAME_OF(names, fault);
 }
 
-static void print_params(const stad_params *p)
+const char *simulate_verdict_name(int verdict)
+{
+    static const char *const names[] = {"good", "watch", "correct", "fail"};
+    return NAME_OF(names, verdict);
+}
+
+sim_correction simulate_correction(const stad_rig *rig)
+{
+    const double unit = 16777216.0; /* Q24 */
+    sim_correction c = {rig->a_q16 / 65536.0, rig->b_q24 / unit * 180 / 3.14159265358979,
+                        100 * rig->c_q24 / unit};
+    return c;
+}
+
+static void print_correction(const stad_setup *setup)
+{
+    sim_correction c = simulate_correction(&setup->rig);
+    if (setup->corrected)
+        printf(", right view corrected by %.2f px, %.2f degrees, %.2f %%", c.dy_px, c.roll_degrees,
+               c.scale_percent);
+}
+
+static void print_setup(const stad_setup *setup)
 {
     for (int i = 0; i < FIELD_COUNT; i++)
-        printf("%s%s %ld", i ? ", " : "", params_field_name(i), params_get(p, i));
+        printf("%s%s %ld", i ? ", " : "", params_field_name(i), params_get(&setup->params, i));
+    print_correction(setup);
     putchar('\n');
+}
+
+/* A verdict was given: marks were seen. */
+static int saw_marks(const stad_calib_report *c)
+{
+    return c->rig.corners > 0;
 }
 
 static void print_costs(const stad_calib_report *c)
 {
+    if (saw_marks(c))
+        printf(", rig %s -> %s", simulate_verdict_name(c->verdict_before),
+               simulate_verdict_name(c->verdict_after));
     if (c->evaluations)
         printf(", %d evaluations, tuning pose %.2f -> %.2f %%, other pose %.2f -> %.2f %%", c->evaluations,
                100.0 * c->tune_before_q20 / STAD_COST_ONE, 100.0 * c->tune_after_q20 / STAD_COST_ONE,
@@ -59,6 +91,21 @@ static void print_run(const sim_run *r)
 {
     printf("frame %d: run ended: %s", r->frame, simulate_outcome_name(r->report.outcome));
     print_costs(&r->report);
+}
+
+/* What a recording that ends too soon leaves open. */
+static const char *unfinished(int phase)
+{
+    switch (phase) {
+    case STAD_CALIB_IDLE:
+        return "";
+    case STAD_CALIB_PROBATION:
+    case STAD_CALIB_RECHECK:
+    case STAD_CALIB_COMPARE:
+        return " (the set in use is adopted and stored, its probation was not over at the last frame)";
+    default:
+        return " (a run was under way at the last frame, nothing of it is adopted)";
+    }
 }
 
 void simulate_print(const simulation *s)
@@ -75,16 +122,16 @@ void simulate_print(const simulation *s)
                    100 * s->rows[i].share);
     for (int i = 0; i < s->run_count; i++)
         print_run(&s->runs[i]);
-    printf("state:   %s", simulate_phase_name(now->phase));
+    printf("state:   %s%s", simulate_phase_name(now->phase), unfinished(now->phase));
     if (now->phase != STAD_CALIB_IDLE)
         print_costs(now);
     else
         putchar('\n');
     fputs("in use:  ", stdout);
-    print_params(&stad_calib_setup(&s->calib)->params);
+    print_setup(stad_calib_setup(&s->calib));
     if (s->stored_slot >= 0) {
         printf("stored:  ");
-        print_params(&s->stored.params);
+        print_setup(&s->stored);
     } else {
         puts("stored:  nothing");
     }
@@ -100,7 +147,7 @@ int simulate_write_csv(const simulation *s, tool_fail *f)
           out.stream);
     for (int k = 0; k < FIELD_COUNT; k++)
         fprintf(out.stream, ",%s", params_field_name(k));
-    fputc('\n', out.stream);
+    fputs(",fault\n", out.stream);
     for (int i = 0; i < s->row_count; i++) {
         const sim_row *r = &s->rows[i];
         const stad_match_counts *c = &r->counts;
@@ -109,9 +156,19 @@ int simulate_write_csv(const simulation *s, tool_fail *f)
                 r->share, c->considered, c->firm, c->valid, c->rejected_uniqueness, c->rejected_check);
         for (int k = 0; k < FIELD_COUNT; k++)
             fprintf(out.stream, ",%ld", params_get(&r->params, k));
-        fputc('\n', out.stream);
+        fprintf(out.stream, ",%s\n", simulate_fault_name(r->fault));
     }
     return tool_out_close(&out, 1, f);
+}
+
+static cJSON *correction_json(const stad_rig *rig)
+{
+    cJSON *o = cJSON_CreateObject();
+    sim_correction c = simulate_correction(rig);
+    cJSON_AddNumberToObject(o, "dy_px", c.dy_px);
+    cJSON_AddNumberToObject(o, "roll_degrees", c.roll_degrees);
+    cJSON_AddNumberToObject(o, "scale_percent", c.scale_percent);
+    return o;
 }
 
 static cJSON *setup_json(const stad_setup *setup)
@@ -119,13 +176,19 @@ static cJSON *setup_json(const stad_setup *setup)
     cJSON *o = cJSON_CreateObject();
     cJSON_AddItemToObject(o, "params", params_to_json(&setup->params));
     cJSON_AddBoolToObject(o, "corrected", setup->corrected);
+    cJSON_AddItemToObject(o, "correction", setup->corrected ? correction_json(&setup->rig) : cJSON_CreateNull());
     return o;
+}
+
+static cJSON *verdict_json(const stad_calib_report *c, int verdict)
+{
+    return saw_marks(c) ? cJSON_CreateString(simulate_verdict_name(verdict)) : cJSON_CreateNull();
 }
 
 static cJSON *run_json(const sim_run *r)
 {
     const stad_calib_report *c = &r->report;
-    cJSON *o = cJSON_CreateObject();
+    cJSON *o = setup_json(&r->setup);
     cJSON_AddNumberToObject(o, "frame", r->frame);
     cJSON_AddStringToObject(o, "outcome", simulate_outcome_name(c->outcome));
     cJSON_AddStringToObject(o, "fault", simulate_fault_name(c->fault));
@@ -134,8 +197,8 @@ static cJSON *run_json(const sim_run *r)
     cJSON_AddNumberToObject(o, "tune_after", (double)c->tune_after_q20 / STAD_COST_ONE);
     cJSON_AddNumberToObject(o, "judge_before", (double)c->judge_before_q20 / STAD_COST_ONE);
     cJSON_AddNumberToObject(o, "judge_after", (double)c->judge_after_q20 / STAD_COST_ONE);
-    cJSON_AddItemToObject(o, "params", params_to_json(&r->params));
-    cJSON_AddBoolToObject(o, "corrected", r->corrected);
+    cJSON_AddItemToObject(o, "verdict_before", verdict_json(c, c->verdict_before));
+    cJSON_AddItemToObject(o, "verdict_after", verdict_json(c, c->verdict_after));
     return o;
 }
 

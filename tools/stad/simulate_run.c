@@ -140,8 +140,7 @@ static void note_run(simulation *s, int frame)
     sim_run *run = &s->runs[s->run_count++];
     run->frame = frame;
     run->report = *ended;
-    run->params = stad_calib_setup(&s->calib)->params;
-    run->corrected = stad_calib_setup(&s->calib)->corrected;
+    run->setup = *stad_calib_setup(&s->calib);
 }
 
 /* Does what is asked for, up to so many evaluations; the pictures are this frame's, or NULL when there is none. */
@@ -167,6 +166,13 @@ static int serve(simulation *s, int frame, const picture *left, const picture *r
     return status;
 }
 
+/* Where the calibration stands after a frame. */
+static void note_stand(const simulation *s, sim_row *row)
+{
+    row->phase = stad_calib_report_of(&s->calib)->phase;
+    row->fault = stad_calib_report_of(&s->calib)->fault;
+}
+
 static int play(simulation *s, int i, tool_fail *f)
 {
     sim_row *row = &s->rows[s->row_count];
@@ -181,7 +187,7 @@ static int play(simulation *s, int i, tool_fail *f)
     if (status == TOOL_OK)
         status = serve(s, i, &frame->left, &frame->right, s->evaluations_per_frame, f);
     row->frame = i;
-    row->phase = stad_calib_report_of(&s->calib)->phase;
+    note_stand(s, row);
     return status;
 }
 
@@ -196,7 +202,7 @@ static void miss(simulation *s, int i)
     note_run(s, i);
     row->frame = i;
     row->skipped = 1;
-    row->phase = stad_calib_report_of(&s->calib)->phase;
+    note_stand(s, row);
     row->params = stad_calib_setup(&s->calib)->params;
     s->skipped++;
 }
