@@ -56,7 +56,7 @@ static const char *decision(int outcome)
                                           "worse on probation: the set before came back",
                                           "no marks were seen in time",
                                           "the target was not shown in another pose",
-                                          "no small correction makes the rows agree",
+                                          "the rows do not agree, or no correction was confirmed on a target held still",
                                           "too many frames of no use",
                                           "called off"};
     return outcome >= 0 && outcome < (int)(sizeof reasons / sizeof reasons[0]) ? reasons[outcome] : "?";
