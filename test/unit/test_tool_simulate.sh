@@ -95,6 +95,7 @@ cp -r kitti bad
 head -c 3000 kitti/image_1/002.png >bad/image_1/002.png
 refuse 3 'image_1/002.png: bad PNG' bad "${range[@]}" --csv bad.csv --json bad.json
 [ "$(head -n 3 bad.csv)" = "$(head -n 3 rec.csv)" ] && [ "$(wc -l <bad.csv)" = 3 ] || fail "what was done before the bad frame is lost"
+grep -q '"stopped":.*image_1/002.png' bad.json && grep -q '"learning":.*true' bad.json || fail "the JSON of a cut run looks whole"
 "$stad" simulate bad "${range[@]}" --keep-going --csv bad.csv >out.txt 2>err.txt || fail "--keep-going stops"
 grep -q 'skipped: .*image_1/002.png' err.txt && grep -q '^3 frames of 320 x 240, 1 skipped' out.txt || fail "a skipped frame is not told, or counted"
 [ "$(wc -l <bad.csv)" = 5 ] && grep -q '^2,skipped,' bad.csv || fail "the log of a recording with a bad frame"

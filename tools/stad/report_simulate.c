@@ -70,7 +70,12 @@ static const char *verdict(const stad_calib_report *c, int verdict)
 static void runs(report *r, const simulation *s)
 {
     if (s->run_count == 0) {
-        fputs("<p>No run ended: nothing was adopted and nothing stored.</p>\n", r->to);
+        const int phase = stad_calib_report_of(&s->calib)->phase;
+        const int adopted = phase == STAD_CALIB_PROBATION || phase == STAD_CALIB_RECHECK || phase == STAD_CALIB_COMPARE;
+        fputs(adopted ? "<p>A run has adopted and stored a set; its probation was not over at the last frame.</p>\n"
+              : phase != STAD_CALIB_IDLE ? "<p>A run was under way at the last frame: nothing of it is adopted or stored.</p>\n"
+                                         : "<p>There was no run: nothing was adopted and nothing stored.</p>\n",
+              r->to);
         return;
     }
     fputs("<table><tr><th>run ended at frame</th><th>outcome</th><th>last "
@@ -185,6 +190,13 @@ int simulate_write_report(simulation *s, tool_fail *f)
         return status;
     fprintf(r.to, "<p>Frames: %d, skipped: %d, alarms: %d, runs: %d.</p>\n", s->row_count, s->skipped, s->alarms,
             s->run_count);
+    if (s->stopped[0]) {
+        fputs("<p>Stopped before the end: ", r.to);
+        report_escaped(&r, s->stopped);
+        fputs("</p>\n", r.to);
+    }
+    if (simulate_learning(s))
+        fputs("<p>The monitor was still learning what is usual at the last frame: no alarm could come.</p>\n", r.to);
     if (s->row_count)
         signal_plot(&r, s);
     report_heading(&r, "Runs");

@@ -66,11 +66,15 @@ typedef struct simulation {
     stad_setup stored;
     int stored_slot; /* enum stad_slot, or negative: nothing was stored */
     double seconds;
+    char stopped[600]; /* why the recording was not played to its end; "" when it was */
 } simulation;
 
 /* The whole recording. On failure what was done so far is in the rows, and can be written. */
 int simulate_run(simulation *s, tool_fail *f);
 void simulate_free(simulation *s);
+
+/* 1 if the monitor was learning still at the last frame: nothing was watched. */
+int simulate_learning(const simulation *s);
 
 const char *simulate_state_name(int state);
 const char *simulate_phase_name(int phase);

@@ -108,6 +108,14 @@ static const char *unfinished(int phase)
     }
 }
 
+int simulate_learning(const simulation *s)
+{
+    for (int i = s->row_count - 1; i >= 0; i--)
+        if (!s->rows[i].skipped)
+            return s->rows[i].state == STAD_MONITOR_LEARNING;
+    return 0;
+}
+
 void simulate_print(const simulation *s)
 {
     const stad_calib_report *now = stad_calib_report_of(&s->calib);
@@ -120,6 +128,8 @@ void simulate_print(const simulation *s)
         if (s->rows[i].state == STAD_MONITOR_DEGRADED)
             printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", s->rows[i].frame,
                    100 * s->rows[i].share);
+    if (simulate_learning(s))
+        printf("monitor: still learning what is usual at the last frame: no alarm could come (--learn-frames)\n");
     for (int i = 0; i < s->run_count; i++)
         print_run(&s->runs[i]);
     printf("state:   %s%s", simulate_phase_name(now->phase), unfinished(now->phase));
@@ -207,6 +217,8 @@ static cJSON *simulation_json(const simulation *s)
     cJSON *o = cJSON_CreateObject(), *runs = cJSON_CreateArray(), *alarms = cJSON_CreateArray();
     cJSON_AddNumberToObject(o, "frames", s->row_count);
     cJSON_AddNumberToObject(o, "skipped", s->skipped);
+    cJSON_AddItemToObject(o, "stopped", s->stopped[0] ? cJSON_CreateString(s->stopped) : cJSON_CreateNull());
+    cJSON_AddBoolToObject(o, "learning", simulate_learning(s));
     cJSON_AddStringToObject(o, "phase", simulate_phase_name(stad_calib_report_of(&s->calib)->phase));
     for (int i = 0; i < s->row_count; i++)
         if (s->rows[i].state == STAD_MONITOR_DEGRADED)

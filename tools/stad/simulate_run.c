@@ -278,6 +278,8 @@ int simulate_run(simulation *s, tool_fail *f)
             status = TOOL_OK;
         }
         s->row_count += status == TOOL_OK;
+        if (status)
+            snprintf(s->stopped, sizeof s->stopped, "%s", f->text);
         show_progress(s, i + 1, start);
     }
     if (status == TOOL_OK)
