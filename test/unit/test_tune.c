@@ -185,6 +185,35 @@ static void test_tune_counters_tell_memo_hits(void)
     TEST_ASSERT_GREATER_THAN_INT(0, n.iterations);
 }
 
+static void expect_damaged(const stad_tune *t)
+{
+    TEST_ASSERT_EQUAL_INT(STAD_E_CORRUPT, stad_tune_check(t));
+}
+
+static void test_tune_check_knows_a_state(void)
+{
+    stad_tune sound, t;
+    stad_point x;
+    memset(&t, 0, sizeof t);
+    TEST_ASSERT_EQUAL_INT(STAD_E_STATE, stad_tune_check(&t));
+    stad_tune_config_stereo(&config, STAD_TUNE_FOR_BAD);
+    stad_tune_init(&sound, &config, &sample_start);
+    while (stad_tune_ask(&sound, &x) == 1) {
+        TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_check(&sound));
+        stad_tune_tell(&sound, bowl(&x));
+    }
+    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_check(&sound));
+    t = sound, t.count = 32767, expect_damaged(&t);
+    t = sound, t.count = -1, expect_damaged(&t);
+    t = sound, t.best = sound.count, expect_damaged(&t);
+    t = sound, t.lead = -2, expect_damaged(&t);
+    t = sound, t.cursor = (int16_t)(sound.count + 1), expect_damaged(&t);
+    t = sound, t.phase = 3, expect_damaged(&t);
+    t = sound, t.config.budget = 0, expect_damaged(&t);
+    t = sound, t.cost[0] = -1, expect_damaged(&t);
+    t = sound, t.phase = 1, t.config.budget = sound.count, expect_damaged(&t);
+}
+
 static void test_tune_best_is_least_of_trace(void)
 {
     stad_point x;
@@ -211,6 +240,7 @@ int main(void)
     RUN_TEST(test_tune_crosses_spend_the_budget_and_gain);
     RUN_TEST(test_tune_single_method_equals_chosen);
     RUN_TEST(test_tune_counters_tell_memo_hits);
+    RUN_TEST(test_tune_check_knows_a_state);
     RUN_TEST(test_tune_best_is_least_of_trace);
     return UNITY_END();
 }

@@ -53,7 +53,8 @@ def test_tune_python_refuses_by_name():
     tuner = stadimeter.Tuner(START)
     for word, call in (("channels", lambda: stadimeter.Tuner(START, channels=2)), ("budget", lambda: stadimeter.Tuner(START, budget=241)),
                        ("purpose", lambda: stadimeter.Tuner(START, purpose="rmse")), ("cost", lambda: tuner.tell(-1)),
-                       ("cost", lambda: tuner.tell(float("nan"))), ("p1", lambda: stadimeter.Tuner(START, limits={"p1": (9, 8)}))):
+                       ("cost", lambda: tuner.tell(float("nan"))), ("p1", lambda: stadimeter.Tuner(START, limits={"p1": (9, 8)})),
+                       ("state", lambda: stadimeter.Tuner.restore(bytes(4016))), ("state", lambda: stadimeter.Tuner.restore(b"\xff" * 4016))):
         try:
             call()
         except ValueError as error:

@@ -83,7 +83,8 @@ void bench(const test_case &c, const Pair &pair, double seconds)
         spent += ours.back() + theirs.back();
     }
     const stad_params &p = c.params;
-    const double pxd = double(pair.width - p.num_disparities) * pair.height * p.num_disparities * 1e-9;
+    const int columns = pair.width + std::min<int>(p.min_disparity, 0) - std::max<int>(p.min_disparity + p.num_disparities, 0);
+    const double pxd = double(columns) * pair.height * p.num_disparities * 1e-9;
     std::printf("%-5s %-5s %4d x %-4d D %-3d block %-2d  %5.2fx [%.2f .. %.2f]  %.3f ns per pixel and disparity, OpenCV %.3f  "
                 "(%zu pairs)\n",
                 case_mode_name(c.mode), c.memory ? "small" : "fast", pair.width, pair.height, p.num_disparities, p.block_size,

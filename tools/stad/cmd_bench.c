@@ -122,7 +122,8 @@ static int bench_mode(const bench_job *j, int mode, const picture *pair, tool_fa
     if (status)
         return status;
     status = time_frames(&e, j, &p, pair, &median, f);
-    double columns = pair->width - (p.min_disparity + p.num_disparities);
+    const int low = p.min_disparity < 0 ? p.min_disparity : 0, end = p.min_disparity + p.num_disparities;
+    double columns = pair->width + low - (end > 0 ? end : 0);
     if (status == TOOL_OK)
         printf("%-5s %dx%d, %d disparities, block %d, %s: %8.3f ms, %6.3f ns per pixel and disparity, %zu "
                "bytes\n",

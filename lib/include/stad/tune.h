@@ -11,7 +11,7 @@
  *     stad_tune_best(&tune, &x, &cost);
  *
  * The state is the log of points and costs: a struct of at most 4 KiB without a pointer in it. Copy it, keep it in flash,
- * go on after a reset. Only integers are used, so the same costs give the same points, bit for bit, on every compiler and
+ * go on after a reset, once stad_tune_check() has found it whole. Only integers are used, so the same costs give the same points, bit for bit, on every compiler and
  * core. No point is ever asked for twice: what the method visits again is answered from the log.
  * Memory: the caller owns the struct; there is nothing to free. Re-entrant. How the methods work: docs/TUNING.md. */
 #ifndef STAD_TUNE_H
@@ -64,7 +64,7 @@ enum stad_tune_scale {
     STAD_TUNE_AREA =
         2,             /* as LOG2, relative to the block: v / block_size^1.5 is held when the block changes */
     STAD_TUNE_ODD = 3, /* discrete: odd numbers, polled one to either side */
-    STAD_TUNE_POWER = 4 /* discrete: powers of two, polled one to either side */
+    STAD_TUNE_POWER = 4 /* discrete: polled at its double and its half; the descents stay with powers of two from such a start */
 };
 
 /* A coordinate's range and steps. */
@@ -83,7 +83,7 @@ typedef struct stad_tune_config {
     uint8_t method;    /* enum stad_tune_method */
     uint8_t free_mask; /* bit i set: coordinate i is free; the others keep the value of the start */
     uint8_t
-        ordered; /* 1: p2 is kept at or above sqrt(2) * p1, as stereo wants; 0: coordinates are independent */
+        ordered; /* 1: p2 is kept above p1, as stereo wants, and by the descents, where both may move, at about sqrt(2) * p1 or more; 0: independent */
     uint8_t ladder_count; /* 0..STAD_TUNE_LADDER */
     int16_t budget;       /* distinct evaluations, 1..STAD_TUNE_LOG */
     int16_t patience;     /* 0: use the whole budget; 1: stop when the first descent has converged */
@@ -145,6 +145,10 @@ int stad_tune_best(const stad_tune *t, stad_point *x, int32_t *cost_q20);
 
 /* The i-th distinct evaluation, i = 0 .. evaluations - 1, in the order they were told. STAD_E_PARAM past the end. */
 int stad_tune_trace(const stad_tune *t, int i, stad_point *x, int32_t *cost_q20);
+
+/* Whether a state that comes back from elsewhere can be gone on with: STAD_OK; STAD_E_STATE: never started; STAD_E_CORRUPT: no call of
+ * these leaves it so, and nothing else may be called on it. No checksum: points and costs of any value pass. */
+int stad_tune_check(const stad_tune *t);
 
 /* Counters. */
 stad_tune_counts stad_tune_counts_of(const stad_tune *t);

@@ -44,7 +44,7 @@ size_t stad_winners_bytes(const stad_geometry *g);
  * NULL, misaligned or too small. */
 int stad_winners_init(stad_winners *w, const stad_geometry *g, void *memory, size_t bytes);
 
-/* Drops the winners: to be called when another pair of images comes. */
+/* Drops the winners: to be called when another pair of images comes, not while a frame is being kept. */
 void stad_winners_forget(stad_winners *w);
 
 /* 1: these winners are whole and were found with parameters that differ from `p` at most in uniqueness_ratio,
@@ -52,11 +52,11 @@ void stad_winners_forget(stad_winners *w);
 int stad_winners_serve(const stad_winners *w, const stad_params *p);
 
 /* From the next stad_match_begin() on a matcher leaves the winners of its frames in w, each frame's in the place of the one
- * before; NULL: no longer. A frame that is under way is dropped. STAD_E_SIZE: w is for another geometry. */
+ * before; NULL: no longer. A frame that is under way is dropped. STAD_E_SIZE: w is for another size or mode. */
 int stad_match_keep(stad_match *m, stad_winners *w);
 
 /* Starts a frame whose winners are known: nothing is pushed, rows are pulled at once, all counters are as a match would
- * count. Errors of stad_match_begin(); STAD_E_SIZE: w is for another geometry; STAD_E_STATE: w does not serve p. */
+ * count. Errors of stad_match_begin(); STAD_E_SIZE: w is for another size or mode; STAD_E_STATE: w does not serve p. */
 int stad_match_again(stad_match *m, const stad_params *p, const stad_winners *w);
 
 /* The whole frame, as stad_match_frame(). */

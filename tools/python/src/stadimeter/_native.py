@@ -156,6 +156,7 @@ _SIGNATURES = {
     "stad_tune_tell": (c_int, [c_void_p, c_int32]),
     "stad_tune_best": (c_int, [c_void_p, POINTER(Point), POINTER(c_int32)]),
     "stad_tune_trace": (c_int, [c_void_p, c_int, POINTER(Point), POINTER(c_int32)]),
+    "stad_tune_check": (c_int, [c_void_p]),
     "stad_tune_counts_of": (TuneCounts, [c_void_p]),
     "stad_score_config_init": (None, [POINTER(ScoreConfig), c_int, c_int, c_int]),
     "stad_score_begin": (c_int, [POINTER(Score), POINTER(ScoreConfig)]),

@@ -114,6 +114,8 @@ class Tuner:
             raise ValueError(f"state: {len(state)} bytes, not {TUNE_BYTES}")
         tuner = cls.__new__(cls)
         tuner._state = ctypes.create_string_buffer(bytes(state), TUNE_BYTES)
+        if lib.stad_tune_check(tuner._state) != 0:
+            raise ValueError("state: not that of a tuner, or damaged")
         return tuner
 
 
