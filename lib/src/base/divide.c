@@ -20,5 +20,6 @@ int64_t stad_div_i64(int64_t a, int64_t b)
         rest -= divisor;
         quotient += bit;
     }
-    return (a < 0) != (b < 0) ? -(int64_t)quotient : (int64_t)quotient;
+    const int64_t size = (int64_t)(quotient & INT64_MAX); /* |a| < 2^63 */
+    return (a < 0) != (b < 0) ? -size : size;
 }
