@@ -114,7 +114,7 @@ static stad_calib_report run(bench *b, int rule, int tunes, int ladder, stad_par
     config.tunes = (uint8_t)tunes;
     config.probation_frames = 0;
     config.still = 1;
-    config.patience = 2;
+    config.patience = 8; /* confirming a correction takes frames at rest */
     if (getenv("STAD_PENALTY"))
         config.penalty_q16 = (int32_t)(atof(getenv("STAD_PENALTY")) * 65536);
     if (stad_calib_init(&c, &config, &b->start) != STAD_OK)
