@@ -64,7 +64,7 @@ enum stad_tune_scale {
     STAD_TUNE_AREA =
         2,             /* as LOG2, relative to the block: v / block_size^1.5 is held when the block changes */
     STAD_TUNE_ODD = 3, /* discrete: odd numbers, polled one to either side */
-    STAD_TUNE_POWER = 4 /* discrete: polled at its double and its half; the descents stay with powers of two from such a start */
+    STAD_TUNE_POWER = 4 /* discrete: polled at twice and half its value; the descents stay with powers of two from such a start */
 };
 
 /* A coordinate's range and steps. */
