@@ -23,7 +23,7 @@ FLOORS = {  # module: modules of lib/src whose insides it may see
 }
 IMAGE_HEADERS = {"stad/image.h", "stad/match.h", "stad/mark.h", "stad/stad.h", "stad/score.h", "stad/truth.h"}
 PUBLIC_ONLY = ["tools", "examples", "test/golden", "test/property", "test/target", "test/support"]
-KERNEL_TESTS = {os.path.join("test", "target", "kernels.c")}  # compares kernels, as test/kernel does
+KERNEL_TESTS = {os.path.join("test", "target", name) for name in ("kernels.c", "kernels_rows.c", "kernels_paths.c")}  # compares kernels, as test/kernel does
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.M)
 
 
