@@ -69,9 +69,10 @@ def expose(grey, noise, seed, black=30, white=220):
     return out
 
 
-def find(image, reference=False):
+def find(image, reference=False, refined=True):
     rows, image = np.zeros((64, 10)), np.ascontiguousarray(image)
     call = LIB.study_find_reference if reference else LIB.study_find
+    LIB.study_reference_refines(refined)
     count = call(ptr(image), image.shape[1], image.shape[0], ptr(rows), 64)
     return {int(r[0]): r[2:].reshape(4, 2) for r in rows[:count]}
 
@@ -184,20 +185,31 @@ def turned_mean(image, reference):
 
 
 def agree():
+    """Corners beside libapriltag's; libapriltag's beside its own in the picture turned, and in the picture enlarged, where its looking up
+    of whole pixels costs less."""
     if not os.path.exists(PICTURES[0]):
         return print('agree   SKIPPED: visp-images-data is not installed')
+
+    def far(a, b):
+        d = np.concatenate([np.linalg.norm(a[k] - b[k], axis=1) for k in a if k in b])
+        return f'mean {d.mean():.3f} max {d.max():.3f} px, {(d > .1).sum()} of {len(d)} above 0.1'
+
     for name in PICTURES:
         image = cv2.imread(name, cv2.IMREAD_GRAYSCALE)
         ours, theirs = find(image), find(image, True)
-        off = np.array([np.linalg.norm(ours[k] - theirs[k], axis=1) for k in ours if k in theirs])
         print(f'agree   {os.path.basename(name)}: {len(ours)} marks, libapriltag {len(theirs)}, same identities '
-              f'{sorted(ours) == sorted(theirs)}; corners mean {off.mean():.3f} rms {np.sqrt((off ** 2).mean()):.3f} '
-              f'max {off.max():.3f} px')
+              f'{sorted(ours) == sorted(theirs)}; corners {far(ours, theirs)}')
         for who, reference in (('ours', False), ('libapriltag', True)):
-            spread = np.concatenate([np.linalg.norm(v - np.mean(v, axis=0), axis=2) for v in
-                                     map(np.array, quarter_turns(image, reference).values())])
-            print(f'agree     {who} against its own mean over quarter turns of the picture: rms {np.sqrt((spread ** 2).mean()):.3f} '
-                  f'max {spread.max():.3f} px')
+            turns = quarter_turns(image, reference)
+            for turn in (1, 2, 3):
+                print(f'agree     {who} in the picture turned by {90 * turn} degrees, to its own: '
+                      f'{far({k: v[turn] for k, v in turns.items()}, {k: v[0] for k, v in turns.items()})}')
+        print(f'agree     ours to the mean of libapriltag over the turns: {far(ours, turned_mean(image, True))}')
+        for times in (2, 3, 4):
+            large = cv2.resize(image, None, fx=times, fy=times, interpolation=cv2.INTER_CUBIC)
+            sharper = {k: (v + .5) / times - .5 for k, v in find(large, True).items()}
+            print(f'agree     to libapriltag in the picture enlarged {times} times: ours {far(ours, sharper)}; '
+                  f'libapriltag {far(theirs, sharper)}')
 
 
 def time():

@@ -23,6 +23,13 @@ static void reference_open(void)
     detector->quad_decimate = 1;
 }
 
+/* Whether libapriltag refines its corners in the grey image, as it does by default. */
+void study_reference_refines(int on)
+{
+    reference_open();
+    detector->refine_edges = on;
+}
+
 int study_bytes(int width, int height)
 {
     return (int)stad_mark_bytes(width, height);
