@@ -210,6 +210,17 @@ void test_monitor_config_out_of_range_is_refused(void)
         TEST_ASSERT_TRUE_MESSAGE(refused(spoils[i]), "config accepted");
 }
 
+void test_monitor_remind_without_cooldown_alarms_on_the_next_frame(void)
+{
+    stad_monitor_config config;
+    stad_monitor_defaults(&config);
+    config.cooldown_frames = 0;
+    TEST_ASSERT_EQUAL(STAD_OK, stad_monitor_init(&monitor, &config));
+    learn(700);
+    stad_monitor_remind(&monitor, 1);
+    TEST_ASSERT_EQUAL(1, frames_to_alarm(700, 3));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -227,5 +238,6 @@ int main(void)
     RUN_TEST(test_monitor_look_is_due_every_nth_frame);
     RUN_TEST(test_monitor_zero_schedule_is_never_due);
     RUN_TEST(test_monitor_config_out_of_range_is_refused);
+    RUN_TEST(test_monitor_remind_without_cooldown_alarms_on_the_next_frame);
     return UNITY_END();
 }

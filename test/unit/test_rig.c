@@ -266,6 +266,30 @@ static void test_rig_begin_refuses_what_does_not_fit(void)
     TEST_ASSERT_EQUAL_INT(STAD_E_PARAM, stad_rig_begin(&s, &rig, 1, 4, work, sizeof work));
 }
 
+/* A rig shifted by three rows does not need the last row of all: the result is whole before it comes. */
+static void test_rig_stream_takes_rows_after_the_last_pull(void)
+{
+    static uint8_t work[STAD_RIG_BYTES(16, 1, 4)];
+    uint8_t row[16] = {0}, out[16];
+    stad_rig rig;
+    stad_rig_stream s;
+    int pulled = 0;
+    for (int side = -1; side <= 1; side += 2) {
+        stad_rig_identity(&rig, 16, 16);
+        rig.a_q16 = side * 3 * 65536;
+        TEST_ASSERT_EQUAL_INT(STAD_OK, stad_rig_begin(&s, &rig, 1, 4, work, sizeof work));
+        int before_the_end = 0;
+        for (int y = 0; y < 16; y++) {
+            TEST_ASSERT_EQUAL_INT(STAD_OK, stad_rig_push(&s, row));
+            for (pulled = stad_rig_pull(&s, out); pulled >= 0; pulled = stad_rig_pull(&s, out))
+                before_the_end = y;
+        }
+        TEST_ASSERT_EQUAL_INT(STAD_E_STATE, stad_rig_push(&s, row));
+        TEST_ASSERT_EQUAL_INT(STAD_E_STATE, pulled);
+        TEST_ASSERT_EQUAL_INT(side < 0 ? 14 : 15, before_the_end);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -279,5 +303,6 @@ int main(void)
     RUN_TEST(test_rig_row_undoes_a_drift);
     RUN_TEST(test_rig_stream_equals_frame);
     RUN_TEST(test_rig_begin_refuses_what_does_not_fit);
+    RUN_TEST(test_rig_stream_takes_rows_after_the_last_pull);
     return UNITY_END();
 }

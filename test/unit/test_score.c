@@ -222,6 +222,15 @@ static void test_score_extreme_errors_do_not_overflow(void)
     TEST_ASSERT_EQUAL_INT32(STAD_COST_ONE, stad_score_cost_of(&score, STAD_SCORE_RMSE));
 }
 
+/* Counts that no rows make, from a hand that writes into the struct, are no cost below nothing. */
+static void test_score_negative_counts_cost_nothing(void)
+{
+    TEST_ASSERT_EQUAL(STAD_OK, stad_score_begin(&score, &config));
+    score.counts.considered = 100;
+    score.counts.speckle = -7;
+    TEST_ASSERT_EQUAL_INT32(0, stad_score_cost_of(&score, STAD_SCORE_SPECKLE));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -238,5 +247,6 @@ int main(void)
     RUN_TEST(test_score_weighted_sum_is_the_sum);
     RUN_TEST(test_score_bad_config_is_refused);
     RUN_TEST(test_score_extreme_errors_do_not_overflow);
+    RUN_TEST(test_score_negative_counts_cost_nothing);
     return UNITY_END();
 }

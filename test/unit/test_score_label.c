@@ -166,6 +166,40 @@ static void test_score_entropy_of_flat_histogram_is_one(void)
     TEST_ASSERT_EQUAL_INT32(0, stad_score_end(&s));
 }
 
+static void test_label_of_two_on_one_column_the_nearer_is_kept(void)
+{
+    int32_t truth[12], work[12];
+    uint8_t label[12];
+    for (int x = 0; x < 12; x++)
+        truth[x] = STAD_TRUTH_NONE;
+    truth[8] = 2 * 65536 + 60000; /* covers columns 5 and 6, as the next does */
+    truth[9] = 3 * 65536 + 1000;
+    stad_score_label_row(truth, 12, label, work);
+    TEST_ASSERT_EQUAL(3 * 65536 + 1000, work[5]);
+    truth[9] = 2 * 65536 + 1000; /* columns 6 and 7 */
+    stad_score_label_row(truth, 12, label, work);
+    TEST_ASSERT_EQUAL(2 * 65536 + 60000, work[6]);
+    TEST_ASSERT_EQUAL(STAD_LABEL_VISIBLE, label[8]);
+    TEST_ASSERT_EQUAL(STAD_LABEL_VISIBLE, label[9]);
+}
+
+/* The sub-pixel step can leave the range by half a pixel. */
+static void test_score_blind_below_the_range_counts_in_the_first_bin(void)
+{
+    int16_t disp[24];
+    uint8_t grey[24] = {0};
+    stad_score_config c;
+    stad_score s;
+    for (int i = 0; i < 24; i++)
+        disp[i] = -9;
+    stad_score_config_init(&c, STAD_SCORE_ENTROPY, 0, 16);
+    TEST_ASSERT_EQUAL(STAD_OK, stad_score_begin(&s, &c));
+    stad_score_row_blind(&s, 0, disp, grey, grey, 24);
+    TEST_ASSERT_EQUAL(s.counts.considered, s.counts.matched);
+    TEST_ASSERT_EQUAL(s.counts.considered, s.histogram[0]);
+    TEST_ASSERT_GREATER_THAN(0, s.histogram[0]);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -182,5 +216,7 @@ int main(void)
     RUN_TEST(test_score_blind_missing_costs_half);
     RUN_TEST(test_score_blind_frame_counters_enter);
     RUN_TEST(test_score_entropy_of_flat_histogram_is_one);
+    RUN_TEST(test_label_of_two_on_one_column_the_nearer_is_kept);
+    RUN_TEST(test_score_blind_below_the_range_counts_in_the_first_bin);
     return UNITY_END();
 }
