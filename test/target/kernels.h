@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 enum { WIDTH = 80, DISPARITIES = 48, COLUMNS = 40, GUARD = 64 };
-enum { CELLS = COLUMNS * DISPARITIES, STRIDE = DISPARITIES + 8 };
+enum { CELLS = COLUMNS * DISPARITIES, STRIDE = DISPARITIES + 16 };
 
 /* One of the port and one of C, each between guards. */
 typedef union output {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  * refine -> [SELECT] -> check
- * port/isa/arm_mve/select_row_mve.c - uniqueness of eight winners at once.
+ * port/isa/arm_mve/select_row_mve.c - uniqueness of eight winners at once, and their votes.
  *
  * 3WAY's rule and confidences are left to C. Bounds: costs are int16, so every product with 100 fits int32. */
 #include <arm_mve.h>
 
-#include "../arm_common/vote_arm.h"
+#include "kernel/kernel.h"
 
 /* Lane by lane: a * p < b * q. The halves are the even and the odd lanes. */
 static inline mve_pred16_t is_less(int16x8_t a, int16_t p, int16x8_t b, int16_t q)
@@ -14,6 +14,30 @@ static inline mve_pred16_t is_less(int16x8_t a, int16_t p, int16x8_t b, int16_t 
     const mve_pred16_t even = vcmpltq_s32(vmullbq_int_s16(a, by_p), vmullbq_int_s16(b, by_q));
     const mve_pred16_t odd = vcmpltq_s32(vmulltq_int_s16(a, by_p), vmulltq_int_s16(b, by_q));
     return (mve_pred16_t)((even & 0x3333) | (odd & 0xCCCC));
+}
+
+/* Votes of the eight winners from column x on that `may`; of equals for a right pixel the one furthest right counts.
+ *
+ * Winners may meet at a right pixel, and which of several scattered values stays there is not to be relied on: what is
+ * read back tells, because winners that meet differ in disparity. The others try again against it. */
+static inline void vote(const stad_select_job *job, int16x8_t index, int16x8_t least, int32_t x, mve_pred16_t may)
+{
+    const int16x8_t disparity = vaddq_n_s16(index, (int16_t)job->min_disparity);
+    const int16x8_t column = vaddq_n_s16(vreinterpretq_s16_u16(vidupq_n_u16(0, 1)), (int16_t)x);
+    const uint16x8_t right = vreinterpretq_u16_s16(vsubq_s16(column, disparity));
+    may = vcmphiq_m_u16(vdupq_n_u16((uint16_t)job->width), right, may);
+    int16x8_t held = vldrhq_gather_shifted_offset_z_s16(job->vote_cost, right, may);
+    may = vcmpltq_m_s16(least, held, may);
+    while (may != 0) {
+        vstrhq_scatter_shifted_offset_p_s16(job->vote_disp, right, disparity, may);
+        const int16x8_t stayed = vldrhq_gather_shifted_offset_z_s16(job->vote_disp, right, may);
+        const mve_pred16_t lost = vcmpneq_m_s16(stayed, disparity, may);
+        vstrhq_scatter_shifted_offset_p_s16(job->vote_cost, right, least, (mve_pred16_t)(may & ~lost));
+        if (lost == 0)
+            return;
+        held = vldrhq_gather_shifted_offset_z_s16(job->vote_cost, right, lost);
+        may = vcmpltq_m_s16(least, held, lost) | vcmpgtq_m_s16(disparity, stayed, vcmpeqq_m_s16(least, held, lost));
+    }
 }
 
 void stad_select_row_mve(stad_select_job *shared)
@@ -32,10 +56,7 @@ void stad_select_row_mve(stad_select_job *shared)
         firm = vaddvaq_p_s16(firm, one, (mve_pred16_t)~weak);
         rejected = vaddvaq_p_s16(rejected, one, ambiguous);
         vst1q_p_s16(job.disp + job.x + i, vaddq_n_s16(vld1q_s16(job.fine + i), shift), (mve_pred16_t)~ambiguous);
-#pragma GCC unroll 8
-        for (int32_t k = 7; k >= 0; k--)
-            if ((ambiguous >> (2 * k) & 1) == 0)
-                vote(&job, best + k, job.x + i + k);
+        vote(&job, vldrhq_gather_shifted_offset_s16(&best->index, third), least, job.x + i, (mve_pred16_t)~ambiguous);
     }
     stad_select_row_c(&job);
     shared->firm = job.firm + firm;

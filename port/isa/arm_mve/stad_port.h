@@ -12,10 +12,11 @@
 #define stad_box_move_row_u8  stad_box_move_row_u8_mve
 #define stad_box_move_row_u16 stad_box_move_row_u16_mve
 #define stad_slide_row        stad_slide_row_mve
-#define stad_path_row         stad_path_row_mve
+#define stad_path_row         stad_path_row_sized_mve
 #define stad_gather_row       stad_gather_row_mve
 #define stad_best_row         stad_best_row_mve
 #define stad_best_row_3way    stad_best_row_3way_mve
+#define stad_refine_row       stad_refine_row_mve
 #define stad_select_row       stad_select_row_mve
 #define stad_check_row        stad_check_row_mve
 #define stad_median_row       stad_median_row_mve
@@ -30,10 +31,12 @@ void stad_box_add_row_u16_mve(int16_t *sum, const uint16_t *cost, int32_t n, int
 void stad_box_move_row_u8_mve(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n);
 void stad_box_move_row_u16_mve(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n);
 void stad_slide_row_mve(const stad_slide_job *job, int16_t *block);
+void stad_path_row_sized_mve(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_path_row_mve(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_gather_row_mve(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_refine_row_mve(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine);
 void stad_select_row_mve(stad_select_job *job);
 int32_t stad_check_row_mve(const stad_check_job *job);
 void stad_median_row_mve(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);

@@ -5,7 +5,7 @@
  * 3WAY's rule and confidences are left to C. Bounds: costs are int16, so every product with 100 fits int32. */
 #include <arm_neon.h>
 
-#include "../arm_common/vote_arm.h"
+#include "kernel/kernel.h"
 
 /* Lane by lane: a * p < b * q. */
 static inline uint16x8_t is_less(int16x8_t a, int16_t p, int16x8_t b, int16_t q)
@@ -19,6 +19,16 @@ static inline int32_t sum_of(int16x8_t v)
 {
     const int64x2_t sum = vpaddlq_s32(vpaddlq_s16(v));
     return (int32_t)(vgetq_lane_s64(sum, 0) + vgetq_lane_s64(sum, 1));
+}
+
+/* A winner's vote for the right view; x: its column of the image. */
+static inline __attribute__((always_inline)) void vote(const stad_select_job *job, const stad_best *best, int32_t x)
+{
+    const int32_t disparity = best->index + job->min_disparity, right = x - disparity;
+    if ((uint32_t)right < (uint32_t)job->width && best->least < job->vote_cost[right]) {
+        job->vote_cost[right] = best->least;
+        job->vote_disp[right] = (int16_t)disparity;
+    }
 }
 
 void stad_select_row_neon(stad_select_job *shared)
