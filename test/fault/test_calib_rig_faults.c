@@ -4,83 +4,18 @@
  *
  * The target in two poses before a room, rendered once; a knock rolls the right view down by whole rows. Costs are
  * made up. */
+#include "support/calib_bench.h"
+
 #include <stdio.h>
 #include <string.h>
 
-#include "scene/target_scene.h"
-#include "stad/calib.h"
 #include "unity.h"
-
-#define W      320
-#define H      240
-#define PIXELS ((size_t)W * H)
-
-enum { POSES = 3 };
-
-static uint8_t shots[POSES][2][PIXELS];
-static uint8_t left_pix[PIXELS], right_pix[PIXELS];
-static uint8_t work[STAD_CALIB_FRAME_BYTES(W, H)] STAD_ALIGNED;
-static stad_calib calib;
-static stad_calib_config config;
-static stad_setup setup;
-static uint32_t noise_state;
-
-static int dice(void)
-{
-    noise_state = noise_state * 1664525u + 1013904223u;
-    return (int)(noise_state >> 8 & 0xffff);
-}
-
-static target_camera camera_of(void)
-{
-    target_camera c;
-    target_camera_default(&c, W, H);
-    c.f = 200;
-    c.supersample = 2;
-    return c;
-}
-
-static void render_all(void)
-{
-    static target_scene scene;
-    static float grey[PIXELS];
-    const target_pose poses[POSES] = {{{40, 8, 400}, 0.45, 0.10, 0.02},
-                                      {{10, -14, 390}, 0.40, -0.14, -0.04},
-                                      {{50, 0, 410}, 0.5, 0.0, 0.03}};
-    target_camera camera = camera_of();
-    for (int i = 0; i < POSES; i++) {
-        target_scene_clear(&scene);
-        target_scene_add_room(&scene, &camera, 500, 2000, 8, 3);
-        target_scene_add(&scene, stad_target_relief(), &poses[i]);
-        for (int view = 0; view < 2; view++) {
-            target_render(&scene, &camera, view, NULL, grey, NULL);
-            target_quantise(grey, (int)PIXELS, shots[i][view]);
-        }
-    }
-}
-
-static void begin_anew(void)
-{
-    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
-    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_start(&calib));
-}
 
 void setUp(void)
 {
-    const stad_geometry g = {W, H, 1, 64, 11, 8192, 127, STAD_MODE_SGBM, STAD_MEMORY_FAST};
-    target_camera camera = camera_of();
-    stad_camera fixed = target_camera_fixed(&camera);
-    noise_state = 7;
-    stad_calib_config_default(&config, &g, stad_target_relief(), &fixed);
-    config.patience = 5;
+    bench_reset();
     config.probation_frames = 3;
-    memset(&setup, 0, sizeof setup);
-    setup.width = W;
-    setup.height = H;
-    setup.channels = 1;
-    stad_params_sample(&setup.params, 64, 3, 1);
-    stad_rig_identity(&setup.rig, W, H);
-    begin_anew();
+    start();
 }
 
 void tearDown(void)
@@ -89,12 +24,12 @@ void tearDown(void)
 
 static uint8_t noisy(uint8_t v)
 {
-    int a = v + dice() % 3 - 1;
+    int a = v + (int)(dice() % 3) - 1;
     return (uint8_t)(a < 0 ? 0 : a > 255 ? 255 : a);
 }
 
 /* A pair with noise of its own, the right view `rows` lower. */
-static int give(int pose, int rows)
+static int give_pose(int pose, int rows)
 {
     for (size_t i = 0; i < PIXELS; i++) {
         left_pix[i] = noisy(shots[pose][0][i]);
@@ -102,12 +37,6 @@ static int give(int pose, int rows)
     }
     stad_image left = stad_image_packed(left_pix, W, H, 1), right = stad_image_packed(right_pix, W, H, 1);
     return stad_calib_frame(&calib, &left, &right, work, sizeof work);
-}
-
-static int live(int per_mille)
-{
-    stad_match_counts counts = {70000, 70 * per_mille, 0, 0, 0, 0};
-    return stad_calib_counts(&calib, &counts);
 }
 
 static int phase(void)
@@ -154,11 +83,11 @@ static void expect_nothing_changed(int outcome, const char *what)
 
 static void knock_before_the_other_pose(int rows)
 {
-    TEST_ASSERT_EQUAL(1, give(0, 0));
+    TEST_ASSERT_EQUAL(1, give_pose(0, 0));
     TEST_ASSERT_EQUAL(STAD_RIG_GOOD, stad_calib_report_of(&calib)->verdict_before);
     for (int i = 0; i < config.patience; i++) {
         TEST_ASSERT_EQUAL(STAD_CALIB_OTHER, phase());
-        TEST_ASSERT_EQUAL(STAD_E_RIG, give(1, rows));
+        TEST_ASSERT_EQUAL(STAD_E_RIG, give_pose(1, rows));
     }
 }
 
@@ -168,7 +97,7 @@ void test_calib_knock_before_the_other_pose_is_told(void)
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         char what[32];
         snprintf(what, sizeof what, "%d rows", rows[i]);
-        begin_anew();
+        start();
         knock_before_the_other_pose(rows[i]);
         expect_nothing_changed(STAD_CALIB_RIG_FAILED, what);
     }
@@ -177,17 +106,17 @@ void test_calib_knock_before_the_other_pose_is_told(void)
 void test_calib_one_torn_frame_of_the_other_pose_costs_patience_only(void)
 {
     stad_request r;
-    TEST_ASSERT_EQUAL(1, give(0, 0));
-    TEST_ASSERT_EQUAL(STAD_E_RIG, give(1, 2));
-    TEST_ASSERT_EQUAL(1, give(1, 0));
+    TEST_ASSERT_EQUAL(1, give_pose(0, 0));
+    TEST_ASSERT_EQUAL(STAD_E_RIG, give_pose(1, 2));
+    TEST_ASSERT_EQUAL(1, give_pose(1, 0));
     TEST_ASSERT_EQUAL(STAD_WANT_MATCH, stad_calib_want(&calib, &r));
 }
 
 void test_calib_knock_of_a_rig_to_be_corrected_is_told(void)
 {
-    give(0, 2);
+    give_pose(0, 2);
     for (int i = 0; i < 60 && phase() != STAD_CALIB_IDLE; i++) {
-        give(1, 3);
+        give_pose(1, 3);
         answer(10);
     }
     expect_nothing_changed(STAD_CALIB_RIG_FAILED, "2 rows, then 3");
@@ -246,7 +175,7 @@ void test_calib_stuck_buffers_are_told(void)
         for (int k = 0; k < buffers; k++)
             for (size_t i = 0; i < PIXELS; i++)
                 stuck[k][i] = noisy(shots[0][1][i]);
-        begin_anew();
+        start();
         for (int f = 0; f < 2 * buffers; f++) {
             for (size_t i = 0; i < PIXELS; i++)
                 left_pix[i] = noisy(shots[0][0][i]);
@@ -264,8 +193,8 @@ void test_calib_stuck_buffers_are_told(void)
 
 static void adopt(void)
 {
-    TEST_ASSERT_EQUAL(1, give(0, 0));
-    TEST_ASSERT_EQUAL(1, give(1, 0));
+    TEST_ASSERT_EQUAL(1, give_pose(0, 0));
+    TEST_ASSERT_EQUAL(1, give_pose(1, 0));
     answer(10);
     TEST_ASSERT_EQUAL(STAD_CALIB_PROBATION, phase());
     for (int i = 0; i < config.probation_frames; i++)
@@ -277,7 +206,7 @@ void test_calib_knock_on_probation_takes_it_back(void)
 {
     adopt();
     for (int i = 0; i < config.patience; i++)
-        TEST_ASSERT_EQUAL(STAD_E_RIG, give(2, 2));
+        TEST_ASSERT_EQUAL(STAD_E_RIG, give_pose(2, 2));
     answer(10);
     expect_nothing_changed(STAD_CALIB_ROLLED_BACK, "2 rows");
 }
@@ -285,7 +214,7 @@ void test_calib_knock_on_probation_takes_it_back(void)
 void test_calib_sound_probation_still_ends_well(void)
 {
     adopt();
-    TEST_ASSERT_EQUAL(1, give(2, 0));
+    TEST_ASSERT_EQUAL(1, give_pose(2, 0));
     answer(10);
     TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, stad_calib_report_of(&calib)->outcome);
 }
@@ -322,8 +251,8 @@ void test_calib_alarm_after_the_last_frame_outlives_the_run(void)
     for (int i = 0; i < 30; i++)
         live(800);
     stad_calib_start(&calib);
-    give(0, 0);
-    give(1, 0);
+    give_pose(0, 0);
+    give_pose(1, 0);
     TEST_ASSERT_EQUAL(STAD_CALIB_PICK, phase());
     for (int i = 0; i < 5; i++)
         live(300);
@@ -339,15 +268,15 @@ void test_calib_alarm_after_the_last_frame_outlives_the_run(void)
 void test_calib_pose_on_which_nearly_all_is_wrong_does_not_judge(void)
 {
     config.probation_frames = 0;
-    begin_anew();
-    give(0, 0);
-    give(1, 0);
+    start();
+    give_pose(0, 0);
+    give_pose(1, 0);
     answer(70); /* 90 of 100 with the set in use, 70 with others */
     TEST_ASSERT_EQUAL(STAD_CALIB_KEPT, stad_calib_report_of(&calib)->outcome);
     TEST_ASSERT_EQUAL_MEMORY(&setup, stad_calib_setup(&calib), sizeof setup);
-    begin_anew();
-    give(0, 0);
-    give(1, 0);
+    start();
+    give_pose(0, 0);
+    give_pose(1, 0);
     answer(40);
     TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, stad_calib_report_of(&calib)->outcome);
 }

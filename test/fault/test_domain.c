@@ -2,7 +2,7 @@
  * test_domain.c - every bound that the library checks, from both sides: one value inside, one outside. */
 #include <string.h>
 
-#include "flash_sim.h"
+#include "support/flash_sim.h"
 #include "stad/stad.h"
 #include "unity.h"
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "flash_sim.h"
+#include "support/flash_sim.h"
 #include "stad/stad.h"
 #include "unity.h"
 

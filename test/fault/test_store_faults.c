@@ -4,7 +4,7 @@
  * Exhaustive: every flash history below x every program granule x every kind of tear x a cut at every byte that a
  * save touches, and after each of these a second save with a cut at every byte again. After each cut a load must find
  * the old set or the new. */
-#include "flash_sim.h"
+#include "support/flash_sim.h"
 #include "unity.h"
 
 #include <stdio.h>

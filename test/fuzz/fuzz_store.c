@@ -4,7 +4,7 @@
  * SEES: fault */
 #include <string.h>
 
-#include "flash_sim.h"
+#include "support/flash_sim.h"
 #include "fuzz/fuzz.h"
 #include "stad/store.h"
 #include "store/crc32.h"

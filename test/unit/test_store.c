@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * test_store.c - the record's bytes, what is refused, and the three slots on sound flash. */
-#include "../fault/flash_sim.h"
+#include "support/flash_sim.h"
 #include "store/crc32.h"
 #include "unity.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * flash_sim.h - three sectors of NOR flash that can lose power at any byte, tear, flip and stick.
+ * support/flash_sim.h - three sectors of NOR flash that can lose power at any byte, tear, flip and stick.
  *
  * Programming only clears bits and only within granules that the last erase left blank; erasing sets a sector to 0xff. Every byte
  * that an operation touches counts; when the count reaches `cut_at` the power goes: that byte is left half done, the rest
