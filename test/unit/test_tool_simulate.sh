@@ -83,6 +83,40 @@ tr -d ' \t\n' <alarm.json | grep -q '"alarms":\[[67]\]' || fail "noise from fram
 run simulate rec "${range[@]}" --json calm.json
 tr -d ' \t\n' <calm.json | grep -q '"alarms":\[\]' || fail "a steady recording raises an alarm"
 
+### the set in use, matched with ###
+run match rec/008_left.png rec/008_right.png -o used.npy --params loop.json
+used=$(tr -d ' \t\n' <loop.json | sed 's/.*"in_use":{"params":\({[^}]*}\).*/\1/')
+echo "$used" >used.json
+run match rec/008_left.png rec/008_right.png -o same.npy --params used.json
+cmp -s used.npy same.npy || fail "--params with what simulate wrote is not the set in use"
+echo "{\"in_use\": {\"params\": $used, \"corrected\": true}}" >used.json
+run match rec/008_left.png rec/008_right.png -o same.npy --params used.json
+grep -q 'used.json: these parameters are for a corrected right view' err.txt || fail "a correction is lost without a word"
+
+### a signal: what was done is written, as whole files ###
+set -m # or children in the background would ignore SIGINT
+for signal in INT TERM; do
+    rm -f cut.*
+    mkfifo gate
+    rm -rf long && cp -r rec long && rm long/004_right.png && ln -s "$PWD/gate" long/004_right.png
+    "$stad" simulate long "${range[@]}" --csv cut.csv --json cut.json --report cut.html >cut.out 2>cut.err &
+    child=$!
+    exec 3>gate # opens when the simulation has come to frame 4
+    kill -$signal $child
+    rm long/004_right.png && cp rec/004_right.png long # the report reads a frame again
+    cat rec/004_right.png >&3
+    exec 3>&-
+    wait $child 2>/dev/null
+    status=$?
+    [ $status = $((128 + $(kill -l $signal))) ] || fail "SIG$signal: status $status"
+    [ "$(wc -l <cut.csv)" = 6 ] || fail "SIG$signal: $(wc -l <cut.csv) lines of 5 frames"
+    grep -q '"stopped":.*"interrupted after 5 of 10 frames"' cut.json && grep -q '</html>' cut.html || fail "SIG$signal: half a file"
+    grep -q 'interrupted after 5 of 10' cut.err && grep -q '^5 frames' cut.out || fail "SIG$signal: not told: $(cat cut.err)"
+    ls | grep -qE '^cut\.(csv|json|html)\.' && fail "SIG$signal: left beside: $(ls)"
+    rm gate
+done
+set +m
+
 ### bad input ###
 refuse 3 'nowhere: .*(No such|cannot be read)' nowhere
 refuse 3 'no stereo frames found' wide

@@ -93,9 +93,9 @@ int params_read_json(params_some *s, const char *path, tool_fail *f)
     if (!document)
         return f->status;
     int status = TOOL_OK;
-    /* the object that holds the fields: best.params, params, or the document itself */
-    const cJSON *best = only(document, "best", path, &status, f);
-    const cJSON *params = only(best ? best : document, "params", path, &status, f);
+    /* the object that holds the fields: best.params, in_use.params, params, or the document itself */
+    const cJSON *best = only(document, "best", path, &status, f), *used = only(document, "in_use", path, &status, f);
+    const cJSON *params = only(best ? best : used ? used : document, "params", path, &status, f);
     const cJSON *item, *object = params ? params : document;
     if (!cJSON_IsObject(object))
         status = tool_fail_set(f, TOOL_FILE, "%s: not a JSON object of parameters", path);
@@ -104,6 +104,7 @@ int params_read_json(params_some *s, const char *path, tool_fail *f)
         if (status == TOOL_OK)
             status = take_field(s, item, path, f);
     }
+    s->corrected = !best && cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(used, "corrected"));
     cJSON_Delete(document);
     return status;
 }

@@ -40,6 +40,7 @@ typedef struct params_some {
     unsigned given;                /* bit `field` */
     const char *path[FIELD_COUNT]; /* the file it was read from, borrowed; NULL: an option */
     int mode;                      /* enum stad_mode, -1 = not said */
+    int corrected;                 /* 1: found for a corrected right view, and the correction is not among the fields */
 } params_some;
 
 void params_some_init(params_some *s);
@@ -67,8 +68,8 @@ int params_check_text(const stad_params *p, const params_some *from, int mode, i
 /* A JSON document and nothing behind it; NULL with a message otherwise. The caller deletes it. */
 struct cJSON *json_read(const char *path, tool_fail *f);
 
-/* JSON: an object of field names; also the document that `stad tune` writes ("best") and an object with "params". An
- * unknown name is refused, and a name that is there twice. */
+/* JSON: an object of field names; also the documents that `stad tune` ("best") and `stad simulate` ("in_use") write, and an object with
+ * "params". An unknown name is refused, and a name that is there twice. */
 int params_read_json(params_some *s, const char *path, tool_fail *f);
 struct cJSON *params_to_json(const stad_params *p);
 

@@ -22,7 +22,8 @@ static const char help[] =
     "  --jobs N                     so many frames at a time, the same result (1)\n"
     "  --keep-going                 report and skip frames that cannot be read (else: stop, what was done is "
     "written)\n"
-    "  --csv FILE, --json FILE      every frame; alarms, runs, the setup in use and stored\n"
+    "  --csv FILE, --json FILE      every frame; alarms, runs, the setup in use and stored (an interrupt ends the "
+    "recording: what was done is written)\n"
     "  --report FILE.html           the same to look at\n"
     "  --focal PX                   of both cameras; without it marks are not looked for, only the monitor "
     "runs\n"
@@ -241,6 +242,8 @@ static int work(simulation *s, tool_fail *f)
     simulate_print(s);
     if (status == TOOL_OK && written)
         *f = later;
+    else if (written)
+        tool_note("stad simulate", "", &later);
     return status ? status : written;
 }
 

@@ -2,6 +2,7 @@
  * stad/match_options.c - the options that say how to match, shared by every command that matches. */
 #include "match_options.h"
 
+#include <stdio.h>
 #include <string.h>
 
 void match_options_init(match_options *o)
@@ -65,6 +66,9 @@ int match_options_file(match_options *o, tool_fail *f)
     int status = params_read_json(&file, o->params_path, f);
     if (status)
         return status;
+    if (file.corrected)
+        fprintf(stderr, "stad: %s: these parameters are for a corrected right view; the correction is not applied\n",
+                o->params_path);
     params_some_merge(&file, &o->some);
     o->some = file;
     return TOOL_OK;

@@ -47,7 +47,7 @@ enum match_option_code {
     "  --pre-filter-cap N           clip of the prefilter, odd, at least 15 (63)\n"                          \
     "  --uniqueness-ratio N         percent by which the best must win (10)\n"                               \
     "  --speckle-window-size N, --speckle-range N   speckle filter (0 = off)\n"                              \
-    "  --params FILE.json           parameters by name, or what `stad tune --json` wrote; options win\n"     \
+    "  --params FILE.json           parameters by name, or what `stad tune` or `stad simulate --json` wrote; options win\n"     \
     "  --memory fast|small          same result, more time or more memory (fast)\n"                          \
     "  --gray, --color              match on grey (default) or on three channels\n"
 

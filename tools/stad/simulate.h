@@ -69,7 +69,8 @@ typedef struct simulation {
     char stopped[600]; /* why the recording was not played to its end; "" when it was */
 } simulation;
 
-/* The whole recording. On failure what was done so far is in the rows, and can be written. */
+/* The whole recording. On failure, and at a signal (status 128 + its number), what was done so far is in the rows, and can be
+ * written. */
 int simulate_run(simulation *s, tool_fail *f);
 void simulate_free(simulation *s);
 

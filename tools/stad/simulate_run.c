@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../common/whole_file.h"
+#include "interrupt.h"
 #include "simulate.h"
 #include "simulate_flash.h"
 #include "tool.h"
@@ -149,7 +150,7 @@ static int serve(simulation *s, int frame, const picture *left, const picture *r
 {
     stad_request r;
     int status = TOOL_OK, given = 0;
-    while (status == TOOL_OK && stad_calib_want(&s->calib, &r) != STAD_WANT_NOTHING) {
+    while (status == TOOL_OK && !interrupt_seen() && stad_calib_want(&s->calib, &r) != STAD_WANT_NOTHING) {
         if (r.want == STAD_WANT_FRAME && (given || !left || s->rig.focal_px <= 0))
             break;
         if (r.want == STAD_WANT_MATCH && evaluations-- <= 0)
@@ -258,17 +259,18 @@ static int check_numbers(const simulation *s, tool_fail *f)
     return TOOL_OK;
 }
 
-int simulate_run(simulation *s, tool_fail *f)
+static int check_interrupt(const simulation *s, tool_fail *f)
 {
-    double start = tool_seconds();
-    int status = recording_open(&s->frames, s->where, s->side_by_side, s->raw_width, s->raw_height, f);
-    if (status == TOOL_OK)
-        status = check_numbers(s, f);
-    if (status == TOOL_OK)
-        status = check_apart(s, f);
-    if (status == TOOL_OK)
-        status = first_frame(s, f);
-    s->stored_slot = -1;
+    if (!interrupt_seen())
+        return TOOL_OK;
+    return tool_fail_set(f, 128 + interrupt_seen(), "interrupted after %d of %d frames", s->row_count,
+                         s->frames.count);
+}
+
+/* The frames one by one, to the last, to the first that fails, or to a signal. */
+static int play_all(simulation *s, double start, tool_fail *f)
+{
+    int status = TOOL_OK;
     for (int i = 0; i < s->frames.count && status == TOOL_OK && (!s->limit || i < s->limit); i++) {
         status = play(s, i, f);
         if (status && s->keep_going) {
@@ -278,18 +280,40 @@ int simulate_run(simulation *s, tool_fail *f)
             status = TOOL_OK;
         }
         s->row_count += status == TOOL_OK;
-        if (status)
-            snprintf(s->stopped, sizeof s->stopped, "%s", f->text);
+        if (status == TOOL_OK)
+            status = check_interrupt(s, f);
         show_progress(s, i + 1, start);
     }
+    return status;
+}
+
+int simulate_run(simulation *s, tool_fail *f)
+{
+    double start = tool_seconds();
+    interrupt_watch();
+    int status = recording_open(&s->frames, s->where, s->side_by_side, s->raw_width, s->raw_height, f);
+    if (status == TOOL_OK)
+        status = check_numbers(s, f);
+    if (status == TOOL_OK)
+        status = check_apart(s, f);
+    if (status == TOOL_OK)
+        status = first_frame(s, f);
+    s->stored_slot = -1;
+    if (status == TOOL_OK)
+        status = play_all(s, start, f);
     if (status == TOOL_OK)
         status = serve(s, s->frames.count - 1, NULL, NULL, STAD_TUNE_LOG,
                        f); /* a run under way needs no frame to be finished */
+    if (status == TOOL_OK)
+        status = check_interrupt(s, f);
+    if (status)
+        snprintf(s->stopped, sizeof s->stopped, "%s", f->text);
     if (s->rows)
         s->stored_slot = stad_store_load(&s->flash.flash, &s->stored);
     if (s->skipped == s->row_count && status == TOOL_OK)
         status = tool_fail_set(f, TOOL_FILE, "%s: no frame could be read", s->where);
     s->seconds = tool_seconds() - start;
+    interrupt_leave();
     progress_end();
     return status;
 }
