@@ -222,11 +222,11 @@ void test_calib_sound_probation_still_ends_well(void)
 /* -- the alarm --------------------------------------------------------------------------------------------------- */
 
 /* Live frames, none of them worse than the last, until a run begins. */
-static int frames_until_a_run(int most)
+static int frames_until_a_run(int most, int firm)
 {
     int frames = 0;
     while (phase() == STAD_CALIB_IDLE && frames < most) {
-        live(300);
+        live(firm);
         frames++;
     }
     return frames;
@@ -237,11 +237,37 @@ void test_calib_alarm_of_a_knock_is_raised_again(void)
     stad_calib_cancel(&calib);
     for (int i = 0; i < 30; i++)
         live(800);
-    TEST_ASSERT_LESS_THAN(20, frames_until_a_run(100));
+    TEST_ASSERT_LESS_THAN(20, frames_until_a_run(100, 300));
     knock_before_the_other_pose(2);
     TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->alarmed);
-    TEST_ASSERT_EQUAL(config.monitor.cooldown_frames, frames_until_a_run(200));
+    TEST_ASSERT_EQUAL(config.monitor.cooldown_frames, frames_until_a_run(200, 300));
     TEST_ASSERT_EQUAL(STAD_CALIB_LOOK, phase());
+}
+
+/* What the monitor never saw. */
+void test_calib_knock_in_a_run_begun_by_hand_raises_the_alarm(void)
+{
+    stad_calib_cancel(&calib);
+    for (int i = 0; i < 30; i++)
+        live(800);
+    stad_calib_start(&calib);
+    knock_before_the_other_pose(2);
+    TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->alarmed);
+    TEST_ASSERT_EQUAL(config.monitor.cooldown_frames, frames_until_a_run(200, 800));
+    TEST_ASSERT_EQUAL(STAD_CALIB_LOOK, phase());
+}
+
+/* Torn, for instance. */
+void test_calib_one_scheduled_look_alone_raises_no_alarm(void)
+{
+    config.monitor.mark_every = 40;
+    start();
+    stad_calib_cancel(&calib);
+    TEST_ASSERT_EQUAL(40, frames_until_a_run(100, 800));
+    TEST_ASSERT_EQUAL(STAD_E_RIG, give_pose(0, 12));
+    TEST_ASSERT_EQUAL(STAD_CALIB_RIG_FAILED, stad_calib_report_of(&calib)->outcome);
+    TEST_ASSERT_EQUAL(0, stad_calib_report_of(&calib)->alarmed);
+    TEST_ASSERT_EQUAL(40, frames_until_a_run(100, 800));
 }
 
 void test_calib_alarm_after_the_last_frame_outlives_the_run(void)
@@ -260,7 +286,7 @@ void test_calib_alarm_after_the_last_frame_outlives_the_run(void)
         stad_calib_cost(&calib, points(20));
     TEST_ASSERT_EQUAL(STAD_CALIB_KEPT, stad_calib_report_of(&calib)->outcome);
     TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->alarmed);
-    TEST_ASSERT_EQUAL(config.monitor.cooldown_frames, frames_until_a_run(200));
+    TEST_ASSERT_EQUAL(config.monitor.cooldown_frames, frames_until_a_run(200, 300));
 }
 
 /* -- a pose that is no judge ------------------------------------------------------------------------------------- */
@@ -295,6 +321,8 @@ int main(void)
     RUN_TEST(test_calib_knock_on_probation_takes_it_back);
     RUN_TEST(test_calib_sound_probation_still_ends_well);
     RUN_TEST(test_calib_alarm_of_a_knock_is_raised_again);
+    RUN_TEST(test_calib_knock_in_a_run_begun_by_hand_raises_the_alarm);
+    RUN_TEST(test_calib_one_scheduled_look_alone_raises_no_alarm);
     RUN_TEST(test_calib_alarm_after_the_last_frame_outlives_the_run);
     RUN_TEST(test_calib_pose_on_which_nearly_all_is_wrong_does_not_judge);
     return UNITY_END();

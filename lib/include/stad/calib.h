@@ -158,7 +158,7 @@ typedef struct stad_calib_report {
     uint8_t phase;          /* enum stad_calib_phase */
     uint8_t outcome;        /* enum stad_calib_outcome */
     uint8_t fault;          /* enum stad_calib_fault */
-    uint8_t alarmed;        /* 1: the monitor has asked and no run has ended well since */
+    uint8_t alarmed;        /* 1: the monitor has asked, or a run found the rig moved, and no run has ended well since */
     uint8_t verdict_before; /* enum stad_rig_verdict with the correction in use when the run began */
     uint8_t verdict_after;  /* with the correction of this run, on fresh frames */
     int8_t preset;          /* picked by the target, -1 = none */

@@ -92,10 +92,13 @@ void stad_calib_finish(stad_calib *c, int outcome)
     int well = outcome == STAD_CALIB_ADOPTED || outcome == STAD_CALIB_CORRECTED || outcome == STAD_CALIB_KEPT;
     int rig_moved = outcome == STAD_CALIB_RIG_FAILED ||
                     (outcome == STAD_CALIB_ROLLED_BACK && c->report.fault == STAD_FAULT_RIG);
+    int one_look = c->scheduled && c->report.phase == STAD_CALIB_LOOK; /* a single frame proves nothing */
     stad_calib_enter(c, STAD_CALIB_IDLE);
     c->report.outcome = (uint8_t)outcome;
     if (well && !c->alarm_stands)
         c->report.alarmed = 0;
+    if (rig_moved && !one_look)
+        c->report.alarmed = 1;
     if (well || rig_moved)
         stad_monitor_remind(&c->monitor, c->report.alarmed);
     stad_monitor_looked(&c->monitor);
