@@ -11,6 +11,7 @@ set(CMAKE_C_FLAGS_INIT "${STAD_BOARD_C_FLAGS}")
 if(BOARD_FAMILY STREQUAL cortex_m)
   string(APPEND CMAKE_C_FLAGS_INIT " -meabi gnu") # copies call memcpy, not __aeabi_memcpy4
 endif()
+string(APPEND CMAKE_C_FLAGS_INIT " -fomit-frame-pointer") # as gcc does
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-nostdlib -static -fuse-ld=lld-${STAD_CLANG}")
 # gcc knows its libraries by the base architecture: strip the vector extension.
 string(REGEX REPLACE "_zve[0-9a-z_]*" "" STAD_GCC_FLAGS "${STAD_BOARD_FLAGS}")

@@ -4,18 +4,29 @@
  * disparities is a multiple of 8: where 16 do not divide it, the last 16 overlap the ones before and are written twice
  * with the same values; fewer than 16 are left to C. */
 
-/* A left sample of a plane and the right row from the column that disparity 0 meets; lows and highs a width further each. */
+/* A left sample of a plane, lows and highs a width further each; values, lows and highs of the right row from the column
+ * that disparity d meets. */
 typedef struct plane_pair {
-    const uint8_t *left, *right;
+    const uint8_t *left, *right, *right_low, *right_high;
     ptrdiff_t width;
 } plane_pair;
 
-static inline plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_t x)
+static inline plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_t x, int32_t d)
 {
     const ptrdiff_t width = job->width;
-    plane_pair pair = {job->left + plane * 3 * width + x,
-                       job->right + plane * 3 * width + (width - 1 - x + job->min_disparity), width};
+    const uint8_t *right = job->right + plane * 3 * width + (width - 1 - x + job->min_disparity + d);
+    const plane_pair pair = {job->left + plane * 3 * width + x, right, right + width, right + 2 * width, width};
     return pair;
+}
+
+/* To the next column. Each address in a register of its own, or compilers make one for every load. */
+static inline __attribute__((always_inline)) void plane_next(plane_pair *p)
+{
+    p->left++;
+    p->right--;
+    p->right_low--;
+    p->right_high--;
+    __asm__("" : "+r"(p->right), "+r"(p->right_low), "+r"(p->right_high));
 }
 
 #if !VEC_FOURS
@@ -27,12 +38,12 @@ typedef struct vec_rows_u8 {
 #    define vec_row_u8(row, from, k)                   vec_load_u8((from) + 16 * (k))
 #endif
 
-/* The distances of `groups` times 16 disparities from the d-th on. */
-static inline __attribute__((always_inline)) void distances(const plane_pair *p, int32_t d, int32_t groups, vec *out)
+/* The distances of `groups` times 16 disparities. */
+static inline __attribute__((always_inline)) void distances(const plane_pair *p, int32_t groups, vec *out)
 {
     const uint8_t value_u8 = p->left[0], low_u8 = p->left[p->width], high_u8 = p->left[2 * p->width];
     const vec value = vec_set_u8(value_u8), low = vec_set_u8(low_u8);
-    const uint8_t *right = p->right + d, *right_low = right + p->width, *right_high = right_low + p->width;
+    const uint8_t *right = p->right, *right_low = p->right_low, *right_high = p->right_high;
     const vec_rows_u8 rows = vec_load_rows_u8(right, right_low, right_high, groups);
     (void)rows;
 #pragma GCC unroll 2
@@ -54,19 +65,17 @@ static inline int32_t group_at(int32_t d, int32_t n)
 /* `groups` times 16 disparities of the whole run. */
 static inline __attribute__((always_inline)) void run_u8(const stad_cost_job *job, int32_t d, int32_t groups, uint8_t *cost)
 {
-    plane_pair gradient = pair_at(job, 0, job->x), intensity = pair_at(job, 1, job->x);
+    plane_pair gradient = pair_at(job, 0, job->x, d), intensity = pair_at(job, 1, job->x, d);
     const ptrdiff_t n = job->disparities;
-    for (int32_t i = job->count; i > 0; i--, cost += n) {
+    for (uint32_t left = (uint32_t)job->count; left != 0; left--, cost += n) {
         vec whole[2], quarter[2];
-        distances(&gradient, d, groups, whole);
-        distances(&intensity, d, groups, quarter);
+        distances(&gradient, groups, whole);
+        distances(&intensity, groups, quarter);
 #pragma GCC unroll 2
         for (int32_t k = 0; k < groups; k++)
             vec_store_u8(cost + 16 * k, vec_add_quarter_u8(whole[k], quarter[k]));
-        gradient.left++;
-        gradient.right--;
-        intensity.left++;
-        intensity.right--;
+        plane_next(&gradient);
+        plane_next(&intensity);
     }
 }
 
@@ -91,11 +100,11 @@ static void column_u16(const stad_cost_job *job, int32_t x, uint16_t *cost)
         const int32_t at = group_at(d, n);
         vec first = vec_set(0), second = vec_set(0);
         for (int32_t c = 0; c < job->channels; c++) {
-            const plane_pair gradient = pair_at(job, c, x), intensity = pair_at(job, job->channels + c, x);
+            const plane_pair gradient = pair_at(job, c, x, at), intensity = pair_at(job, job->channels + c, x, at);
             uint8_t g[16], q[16];
             vec whole, quarter;
-            distances(&gradient, at, 1, &whole);
-            distances(&intensity, at, 1, &quarter);
+            distances(&gradient, 1, &whole);
+            distances(&intensity, 1, &quarter);
             vec_store_u8(g, whole);
             vec_store_u8(q, vec_shift_right_u8(quarter, 2));
             first = vec_add(first, vec_add(vec_widen(g), vec_widen(q)));

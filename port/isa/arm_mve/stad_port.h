@@ -14,7 +14,7 @@
 #define stad_slide_row        stad_slide_row_mve
 #define stad_path_row         stad_path_row_sized_mve
 #define stad_gather_row       stad_gather_row_mve
-#define stad_best_row         stad_best_row_mve
+#define stad_best_row         stad_best_row_sized_mve
 #define stad_best_row_3way    stad_best_row_3way_mve
 #define stad_refine_row       stad_refine_row_mve
 #define stad_select_row       stad_select_row_mve
@@ -34,6 +34,7 @@ void stad_slide_row_mve(const stad_slide_job *job, int16_t *block);
 void stad_path_row_sized_mve(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_path_row_mve(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_gather_row_mve(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
+void stad_best_row_sized_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_mve(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_refine_row_mve(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine);
