@@ -55,8 +55,20 @@ static inline void vec_store(void *p, vec v)
 #if defined(__aarch64__)
 #    define VEC_FOURS 1
 typedef int16x8x4_t vec4;
-#    define vec4_load(p)     vld1q_s16_x4(p)
-#    define vec4_store(p, v) vst1q_s16_x4(p, v)
+#    define vec4_load(p) vld1q_s16_x4(p)
+
+#    if defined(__clang__)
+#        define vec4_store(p, v) vst1q_s16_x4(p, v)
+#    else
+/* Not vst1q_s16_x4: gcc 12 moves the vectors into consecutive registers for it. Without, it stores pairs. */
+static inline __attribute__((always_inline)) void vec4_store(int16_t *p, vec4 v)
+{
+    vec_store(p, v.val[0]);
+    vec_store(p + 8, v.val[1]);
+    vec_store(p + 16, v.val[2]);
+    vec_store(p + 24, v.val[3]);
+}
+#    endif
 
 /* Differences of 32 bytes. */
 static inline vec4 vec4_sub_widened(const uint8_t *a, const uint8_t *b)
