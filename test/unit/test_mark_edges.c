@@ -168,10 +168,33 @@ static void test_mark_in_cells_is_found_where_it_was_drawn(void)
 static void test_mark_that_reads_but_has_no_edge_is_not_told(void)
 {
     stad_mark mark;
-    draw_mark(5, 100, 116);
+    draw_mark(5, 100, 160);
+    blur(17);
     TEST_ASSERT_EQUAL(1, find(&mark, 8));
+    draw_mark(5, 100, 118);
     blur(17);
     TEST_ASSERT_EQUAL(0, find(&mark, 8));
+}
+
+/* A blot on the middle of cells of the white ring, which leaves the black one's edge alone. */
+static void blot(int cells)
+{
+    for (int k = 0; k < cells; k++)
+        for (int y = 3; y < 15; y++)
+            memset(pix + (18 + y) * WIDTH + 36 + 36 * k + 3, 30, 12);
+}
+
+static void test_mark_with_five_blots_around_it_is_none(void)
+{
+    stad_mark mark;
+    for (int cells = 0; cells <= 5; cells++) {
+        draw_mark(5, 30, 210);
+        blot(cells < 5 ? cells : 4);
+        if (cells == 5)
+            for (int y = 3; y < 15; y++)
+                memset(pix + (180 + y) * WIDTH + 36 + 3, 30, 12);
+        TEST_ASSERT_EQUAL(cells <= 4, find(&mark, 20));
+    }
 }
 
 /* The border of the image cuts it off; so does the last row, where a component never ends. */
@@ -206,6 +229,7 @@ int main(void)
     RUN_TEST(test_mark_refine_of_sides_in_one_line_refuses);
     RUN_TEST(test_mark_in_cells_is_found_where_it_was_drawn);
     RUN_TEST(test_mark_that_reads_but_has_no_edge_is_not_told);
+    RUN_TEST(test_mark_with_five_blots_around_it_is_none);
     RUN_TEST(test_mark_at_the_border_is_not_told);
     return UNITY_END();
 }

@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT
+ * unit/test_calib_edges.c - parts of the loop by themselves, at values that rendered frames do not bring about. */
+#include <string.h>
+
+#include "calib/calib_parts.h"
+#include "unity.h"
+
+#define POINTS(p) ((int32_t)((p) * (STAD_COST_ONE / 100)))
+
+static stad_calib calib;
+static stad_calib_config config;
+static stad_setup setup;
+
+void setUp(void)
+{
+    const stad_geometry g = {320, 240, 1, 64, 11, 4096, 127, STAD_MODE_SGBM, STAD_MEMORY_FAST};
+    const stad_camera camera = {256 * 200, 256 * 160, 256 * 120};
+    stad_calib_config_default(&config, &g, stad_target_relief(), &camera);
+    memset(&setup, 0, sizeof setup);
+    setup.width = 320;
+    setup.height = 240;
+    setup.channels = 1;
+    stad_params_sample(&setup.params, 64, 3, 1);
+    stad_rig_identity(&setup.rig, 320, 240);
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
+}
+
+void tearDown(void)
+{
+}
+
+static void begin_trial(void)
+{
+    const stad_plane plane = {0, 0, 20 * 65536};
+    const stad_polygon where = {4, {{80 * 256, 20 * 256}, {300 * 256, 20 * 256}, {300 * 256, 220 * 256}, {80 * 256, 220 * 256}}};
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
+    for (int i = 0; i < 2; i++) {
+        stad_truth_init(&calib.pose[i].truth, 320, 240, 0, 64, 1);
+        TEST_ASSERT_EQUAL(STAD_OK, stad_truth_add_plane(&calib.pose[i].truth, &plane, &where));
+        calib.pose[i].box = stad_truth_box(&calib.pose[i].truth);
+    }
+    stad_calib_trial_begin(&calib);
+}
+
+static int phase(void)
+{
+    return stad_calib_report_of(&calib)->phase;
+}
+
+/* Answers matches until none is wanted, or the phase is reached. */
+static void answer_until(int stop, int32_t (*cost)(const stad_request *r))
+{
+    stad_request r;
+    for (int i = 0; i < 500 && phase() != stop && stad_calib_want(&calib, &r) == STAD_WANT_MATCH; i++)
+        TEST_ASSERT_EQUAL(STAD_OK, stad_calib_cost(&calib, cost(&r)));
+}
+
+/* -- numbers ---------------------------------------------------------------------------------------------------------------- */
+
+static void test_calib_handicap_of_no_preset_is_nothing(void)
+{
+    TEST_ASSERT_EQUAL(0, stad_calib_handicap_q16(-1));
+    TEST_ASSERT_EQUAL(0, stad_calib_handicap_q16(STAD_PRESETS));
+}
+
+static void test_calib_parameters_out_of_their_domain_do_not_fit(void)
+{
+    stad_params p = setup.params;
+    TEST_ASSERT_EQUAL(1, stad_calib_fits(&config.geometry, &p));
+    p.p1 = 0;
+    TEST_ASSERT_EQUAL(0, stad_calib_fits(&config.geometry, &p));
+}
+
+static void test_calib_stillness_is_of_marks_that_both_frames_show(void)
+{
+    stad_pair pair;
+    memset(&pair, 0, sizeof pair);
+    TEST_ASSERT_EQUAL(0, stad_calib_is_still(&calib, &pair, 1)); /* nothing to compare with */
+    calib.pool[0] = pair;
+    calib.pooled = 1;
+    TEST_ASSERT_EQUAL(1, stad_calib_is_still(&calib, &pair, 1));
+    pair.id = 3;
+    TEST_ASSERT_EQUAL(0, stad_calib_is_still(&calib, &pair, 1));
+    pair.id = 0;
+    for (int side = 0; side < 4; side++) {
+        stad_pair moved = pair;
+        for (int k = 0; k < 4; k++) {
+            moved.left[k].x_q8 += side == 0 ? 64 : side == 1 ? -64 : 0;
+            moved.left[k].y_q8 += side == 2 ? 64 : side == 3 ? -64 : 0;
+        }
+        TEST_ASSERT_EQUAL(0, stad_calib_is_still(&calib, &moved, 1));
+    }
+}
+
+static void test_calib_either_view_of_another_size_is_told(void)
+{
+    static uint8_t pix[320 * 240], work[STAD_CALIB_FRAME_BYTES(320, 240)] STAD_ALIGNED;
+    const stad_image good = stad_image_packed(pix, 320, 240, 1), low = stad_image_packed(pix, 320, 239, 1);
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_start(&calib));
+    TEST_ASSERT_EQUAL(STAD_E_SIZE, stad_calib_frame(&calib, &low, &good, work, sizeof work));
+    TEST_ASSERT_EQUAL(STAD_E_SIZE, stad_calib_frame(&calib, &good, &low, work, sizeof work));
+    TEST_ASSERT_EQUAL(STAD_FAULT_SIZE, stad_calib_report_of(&calib)->fault);
+}
+
+/* -- an alarm in each phase that looks at no frame -------------------------------------------------------------------------- */
+
+static int32_t level(const stad_request *r)
+{
+    (void)r;
+    return POINTS(20);
+}
+
+/* A slope down to uniqueness 0 and cap 57, where no preset is: there is always something to tune. */
+static int32_t slope(const stad_request *r)
+{
+    const int cap = r->params.pre_filter_cap < 57 ? 57 - r->params.pre_filter_cap : r->params.pre_filter_cap - 57;
+    return POINTS(10) + r->params.uniqueness_ratio * POINTS(1) + cap * POINTS(1) / 2;
+}
+
+static void live(int frames, int per_mille)
+{
+    const stad_match_counts counts = {80000, 80 * per_mille, 0, 0, 0, 0};
+    for (int i = 0; i < frames; i++)
+        stad_calib_counts(&calib, &counts);
+}
+
+static void test_calib_alarm_while_matching_outlives_the_run(void)
+{
+    const int phases[3] = {STAD_CALIB_PICK, STAD_CALIB_JUDGE, STAD_CALIB_TUNE};
+    for (int i = 0; i < 3; i++) {
+        begin_trial();
+        live(30, 800);
+        answer_until(phases[i], slope);
+        TEST_ASSERT_EQUAL(phases[i], phase());
+        live(5, 100);
+        TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->alarmed);
+        answer_until(-1, level);
+        if (phase() == STAD_CALIB_SAVE)
+            stad_calib_saved(&calib, 0);
+        TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->alarmed);
+    }
+}
+
+/* -- what is tried ---------------------------------------------------------------------------------------------------------- */
+
+static int smallest_block;
+
+static int32_t note_block(const stad_request *r)
+{
+    smallest_block = r->params.block_size < smallest_block ? r->params.block_size : smallest_block;
+    return POINTS(20);
+}
+
+static void test_calib_presets_below_the_smallest_block_are_not_tried(void)
+{
+    config.min_block_size = 9;
+    setup.params.block_size = 9;
+    smallest_block = 99;
+    begin_trial();
+    answer_until(-1, note_block);
+    TEST_ASSERT_EQUAL(9, smallest_block);
+}
+
+/* -- rules for studies ------------------------------------------------------------------------------------------------------ */
+
+/* On the other pose everything but the set in use is worse. */
+static int32_t slope_that_deceives(const stad_request *r)
+{
+    const int in_use = memcmp(&r->params, &setup.params, sizeof setup.params) == 0;
+    return r->hold == 0 ? slope(r) : in_use ? POINTS(20) : POINTS(30) + slope(r);
+}
+
+/* ... and all that the tuner asks fails. */
+static int32_t presets_alone(const stad_request *r)
+{
+    return phase() == STAD_CALIB_TUNE ? STAD_COST_FAILED : slope_that_deceives(r);
+}
+
+static void test_calib_rule_none_takes_what_the_tuning_frame_likes(void)
+{
+    config.rule = STAD_RULE_NONE;
+    config.probation_frames = 0;
+    begin_trial();
+    answer_until(-1, slope_that_deceives);
+    TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->tuned);
+    begin_trial();
+    answer_until(-1, presets_alone);
+    TEST_ASSERT_EQUAL(0, stad_calib_report_of(&calib)->tuned);
+    TEST_ASSERT_GREATER_OR_EQUAL(0, stad_calib_report_of(&calib)->preset);
+}
+
+static void test_calib_strict_rule_takes_the_better_of_both(void)
+{
+    config.rule = STAD_RULE_STRICT;
+    config.probation_frames = 0;
+    begin_trial();
+    answer_until(-1, slope);
+    TEST_ASSERT_EQUAL(1, stad_calib_report_of(&calib)->tuned);
+    stad_calib_saved(&calib, 0);
+    TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, stad_calib_report_of(&calib)->outcome);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_calib_handicap_of_no_preset_is_nothing);
+    RUN_TEST(test_calib_parameters_out_of_their_domain_do_not_fit);
+    RUN_TEST(test_calib_stillness_is_of_marks_that_both_frames_show);
+    RUN_TEST(test_calib_either_view_of_another_size_is_told);
+    RUN_TEST(test_calib_alarm_while_matching_outlives_the_run);
+    RUN_TEST(test_calib_presets_below_the_smallest_block_are_not_tried);
+    RUN_TEST(test_calib_rule_none_takes_what_the_tuning_frame_likes);
+    RUN_TEST(test_calib_strict_rule_takes_the_better_of_both);
+    return UNITY_END();
+}
