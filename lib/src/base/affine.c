@@ -45,7 +45,7 @@ int stad_affine_solve(const stad_affine_sums *s, stad_affine *fit)
     }
     /* xy^2 <= xx yy; less than a thousandth of it left: the points are on a line. */
     const int64_t determinant = xx * yy - xy * xy;
-    if (determinant <= xx * yy / 1024 || determinant <= 0)
+    if (determinant <= 0 || determinant <= xx * yy / 1024)
         return 0;
     const int64_t b_q20 = ratio_q20(xv * yy - yv * xy, determinant), c_q20 = ratio_q20(yv * xx - xv * xy, determinant);
     if (OUTSIDE(b_q20, 29) || OUTSIDE(c_q20, 29))

@@ -34,7 +34,7 @@ int stad_mark_contour(mark_work *w, const mark_component *c, int32_t *area2)
             direction = (direction + 1) % 4;
         else if (is_dark(w, x + left_x[direction], y + left_y[direction]))
             direction = (direction + 3) % 4;
-    } while (x != c->start_x || y != c->top || direction != 0);
+    } while (x != c->start_x || y != c->top); /* reached upwards along the first pixel alone, and left to the east */
     w->contour_count = count;
     *area2 = area;
     return area * 3 >= 2 * box_w * box_h;

@@ -62,7 +62,7 @@ void stad_mark_examine(mark_work *w, const mark_component *c)
     const int32_t box_w = c->right - c->left + 1, box_h = c->bottom - c->top + 1;
     if (w->found == w->max || box_w < MIN_SIDE || box_h < MIN_SIDE || 2 * c->area < 3 * (box_w + box_h))
         return;
-    if (c->left == 0 || c->top == 0 || c->right == w->width - 1 || c->bottom == w->height - 1)
+    if (c->left == 0 || c->top == 0 || c->right == w->width - 1) /* what reaches the last row never ends */
         return;
     int32_t area2;
     int first;

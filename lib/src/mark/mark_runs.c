@@ -78,13 +78,13 @@ static int16_t new_component(mark_work *w, const mark_run *run, int32_t y)
     return i;
 }
 
-/* Joins two roots into the one that began higher, or farther left. */
+/* Joins two roots into the one that began higher, or farther left: i, of a run left of k's, if both began in one row, since
+ * they have not met yet. */
 static int16_t join(mark_component *components, int16_t i, int16_t k)
 {
     if (i == k)
         return i;
-    const mark_component *first = &components[i], *second = &components[k];
-    const int swap = second->top < first->top || (second->top == first->top && second->start_x < first->start_x);
+    const int swap = components[k].top < components[i].top;
     const int16_t winner = swap ? k : i, loser = swap ? i : k;
     mark_component *a = &components[winner], *b = &components[loser];
     a->area += b->area;

@@ -98,10 +98,9 @@ static void add_row(stad_frame *f, int32_t y, int32_t weight)
     }
 }
 
+/* Never the same row: an image of one row is not moved in. */
 static void move_row(stad_frame *f, int32_t in, int32_t out)
 {
-    if (in == out)
-        return;
     if (f->cost_slots == 0) {
         add_row(f, in, 1);
         add_row(f, out, -1);
