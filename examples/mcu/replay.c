@@ -4,8 +4,9 @@
  *     host's frame -> match by rows -> monitor -> marks -> tune -> better on another pose? -> flash -> reset -> restored
  *
  * Frames are recording/NNN_left.pgm and _right.pgm beneath the folder it is started in:
- *     stad scene -o recording --target --pgm --frames 8 --width 240 --height 180 --noise 8
- * A frame that the calibration holds is read again when it is wanted again, so that memory holds one pair. Ends with 0 when the
+ *     stad scene -o recording --target --pgm --share 60 --frames 20 --width 160 --height 120 --num-disparities 32 --noise 8
+ * Memory holds three pairs, the two that the calibration keeps and the fresh one, and one workspace that the live matcher,
+ * the search for marks and the evaluations use in turn: it all fits the 192 KB of the smallest board. Ends with 0 when the
  * run ended in an adopted set, that set was found after the reset, and all is as on the host. */
 #include <string.h>
 
@@ -16,42 +17,51 @@
 #include "say.h"
 #include "stad/stad.h"
 
-enum { WIDTH = 240, HEIGHT = 180, DISPARITIES = 48, BLOCK = 11, P2 = 8192, CAP = 127, FOCAL = 144, BUDGET = 12, FRAMES = 8 };
+enum { WIDTH = 160, HEIGHT = 120, DISPARITIES = 32, BLOCK = 11, P2 = 8192, CAP = 63, FOCAL = 96, BUDGET = 12, FRAMES = 20 };
 enum { MATCH_BYTES = STAD_MATCH_BYTES(WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL) };
 
 static const stad_geometry geometry = {WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL};
-static const char header[] = "P5\n240 180\n255\n";
+static const char header[] = "P5\n160 120\n255\n";
 
 typedef struct picture {
     uint8_t header[sizeof header - 1], pix[HEIGHT * WIDTH];
 } picture;
+typedef struct frame {
+    picture left, right;
+} frame;
 
 /* The board's memory; only the flash chip outlives a reset. */
-static STAD_ALIGNED uint8_t work[MATCH_BYTES + STAD_CALIB_ROWS_BYTES(WIDTH, 1) + 8192];
-static picture left, right;
+static STAD_ALIGNED uint8_t work[MATCH_BYTES + STAD_CALIB_ROWS_BYTES(WIDTH, 1)];
+static frame fresh, held[2];
 static stad_match live;
 static stad_calib calib;
 static stad_evaluator evaluator;
 
-static int read_picture(int frame, const char *side, picture *p)
+static int read_picture(int number, const char *side, picture *p)
 {
     char path[40] = "recording/000_";
     char *to = path + 14;
-    path[12] = (char)('0' + frame % 10);
+    path[11] = (char)('0' + number / 10 % 10);
+    path[12] = (char)('0' + number % 10);
     while ((*to++ = *side++) != '\0') {
     }
     return board_read_file(path, p, sizeof *p) == sizeof *p && memcmp(p->header, header, sizeof p->header) == 0;
 }
 
-static int read_frame(int frame)
+static int read_frame(int number)
 {
-    return read_picture(frame, "left.pgm", &left) && read_picture(frame, "right.pgm", &right);
+    return read_picture(number, "left.pgm", &fresh.left) && read_picture(number, "right.pgm", &fresh.right);
+}
+
+static stad_image image_of(const picture *p)
+{
+    return stad_image_packed(p->pix, WIDTH, HEIGHT, 1);
 }
 
 /* A live frame by rows with the set in use, its right view corrected on the way, and counted; the disparity's hash. */
 static uint32_t match_live(const stad_setup *setup)
 {
-    const stad_image view = stad_image_packed(right.pix, WIDTH, HEIGHT, 1);
+    const stad_image view = image_of(&fresh.right);
     static uint8_t straight[WIDTH];
     static int16_t disp_q4[WIDTH];
     uint32_t hash = HASH_START;
@@ -60,36 +70,43 @@ static uint32_t match_live(const stad_setup *setup)
         return 0;
     for (y = 0; y < HEIGHT; y++) {
         stad_rig_row(&setup->rig, &view, y, straight);
-        stad_match_push(&live, left.pix + y * WIDTH, setup->corrected ? straight : right.pix + y * WIDTH);
+        stad_match_push(&live, fresh.left.pix + y * WIDTH, setup->corrected ? straight : fresh.right.pix + y * WIDTH);
         while (stad_match_pull(&live, disp_q4) >= 0)
             hash = hash_row(hash, disp_q4, WIDTH);
     }
     return hash;
 }
 
-/* Does what the calibration wants until it wants another frame; 0 when a file could not be read again. */
-static int serve(int frame)
+/* Shows the fresh frame to the calibration and keeps it where that is wanted. */
+static void show(const stad_request *wish)
 {
-    static int held[2];
-    const stad_image l = stad_image_packed(left.pix, WIDTH, HEIGHT, 1), r = stad_image_packed(right.pix, WIDTH, HEIGHT, 1);
+    const stad_image left = image_of(&fresh.left), right = image_of(&fresh.right);
+    if (stad_calib_frame(&calib, &left, &right, work, sizeof work) == 1)
+        held[wish->hold] = fresh;
+}
+
+static int32_t evaluate(const stad_request *wish)
+{
+    const stad_image left = image_of(&held[wish->hold].left), right = image_of(&held[wish->hold].right);
+    return stad_calib_evaluate(&calib, wish, &evaluator, &left, &right, work, sizeof work);
+}
+
+/* Does what the calibration wants until it wants another frame. */
+static void serve(void)
+{
     stad_request wish;
-    int looked = 0, loaded = frame;
+    int looked = 0;
     while (stad_calib_want(&calib, &wish) != STAD_WANT_NOTHING) {
         if (wish.want == STAD_WANT_FRAME) {
-            if (looked++ || loaded != frame)
-                return 1;
-            if (stad_calib_frame(&calib, &l, &r, work, sizeof work) == 1)
-                held[wish.hold] = frame;
+            if (looked++)
+                return;
+            show(&wish);
         } else if (wish.want == STAD_WANT_MATCH) {
-            if (loaded != held[wish.hold] && !read_frame(held[wish.hold]))
-                return 0;
-            loaded = held[wish.hold];
-            stad_calib_cost(&calib, stad_calib_evaluate(&calib, &wish, &evaluator, &l, &r, work, sizeof work));
+            stad_calib_cost(&calib, evaluate(&wish));
         } else {
             stad_calib_saved(&calib, stad_store_save(&chip_flash, stad_calib_setup(&calib)));
         }
     }
-    return 1;
 }
 
 /* From reset: with what flash holds (*restored), or the defaults. */
@@ -116,23 +133,22 @@ static int start(stad_setup *setup, int *restored)
 /* Every frame through matcher, monitor and calibration; the hash of all disparities. */
 static uint32_t live_frames(uint32_t hash)
 {
-    int frame;
-    for (frame = 0; frame < FRAMES && read_frame(frame); frame++) {
-        if (frame == 1)
+    int number;
+    for (number = 0; number < FRAMES && read_frame(number); number++) {
+        if (number == 1)
             stad_calib_start(&calib);
         hash = hash_add(hash, match_live(stad_calib_setup(&calib)), 4);
         stad_calib_counts(&calib, stad_match_counts_of(&live));
-        if (!serve(frame))
-            return 0;
+        serve();
     }
-    return frame == FRAMES ? hash : 0;
+    return number == FRAMES ? hash : 0;
 }
 
 static void reset(void)
 {
     memset(work, 0, sizeof work);
-    memset(&left, 0, sizeof left);
-    memset(&right, 0, sizeof right);
+    memset(&fresh, 0, sizeof fresh);
+    memset(held, 0, sizeof held);
     memset(&live, 0, sizeof live);
     memset(&calib, 0, sizeof calib);
     memset(&evaluator, 0, sizeof evaluator);

@@ -316,6 +316,7 @@ expect 2 '--from 999: the frames are 0..3' simulate q --num-disparities 64 --noi
 expect 2 '--from has no effect without --noise' simulate q --num-disparities 64 --from 2
 expect 2 '--side-by-side: q/000_left.png and q/000_right.png are a view each' simulate q --num-disparities 64 --side-by-side
 expect 2 '--frames has no effect without --target' scene -o new --frames 2
+expect 2 '--share has no effect without --target' scene -o new --share 60
 expect 2 '--drift has no effect without --target' scene -o new --drift 1
 expect 2 '--pgm has no effect without --target' scene -o new --pgm
 expect 2 '--from has no effect without --target' scene -o new --from 1

@@ -198,6 +198,8 @@ static int work(const plan_job *j, tool_fail *f)
             puts(text);
         cJSON_free(text);
     } else if (status == TOOL_OK) {
+        if (j->board && geometry_of(j, STAD_MODE_SGBM, STAD_MEMORY_SMALL, &first, f) == TOOL_OK)
+            plan_board_print_loop(j->board, &first);
         printf("speckle filter, where it is on: %zu bytes of labels beside it\n",
                (size_t)STAD_SPECKLE_BYTES(j->v[PLAN_WIDTH], j->v[PLAN_HEIGHT]));
         printf("struct stad_match: %zu bytes\n", sizeof(stad_match));

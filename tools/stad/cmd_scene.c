@@ -32,13 +32,14 @@ static const char help[] =
     "NNN_left.png, ...\n"
     "                               FOLDER may hold no frames but those that are written anew\n"
     "  --frames N                   of it (16); --pgm: views as .pgm\n"
+    "  --share PERCENT              of the image's width that the target takes (42)\n"
     "  --drift PX                   by which the right camera has sunk (0), --from K: from frame K on (0)\n\n"
     "Example: stad scene -o scene && stad match scene/left.png scene/right.png -o disp.pfm --num-disparities "
     "64\n";
 
 typedef struct scene_job {
     const char *folder;
-    long width, height, min_disparity, num_disparities, plates, seed, noise, gain, frames, from;
+    long width, height, min_disparity, num_disparities, plates, seed, noise, gain, frames, from, share;
     double drift;
     int target, pgm;
     unsigned long long given;
@@ -56,6 +57,7 @@ static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"target", no_argument, NULL, 't'},
                                       {"pgm", no_argument, NULL, 'P'},
                                       {"frames", required_argument, NULL, 'f'},
+                                      {"share", required_argument, NULL, 'S'},
                                       {"drift", required_argument, NULL, 'd'},
                                       {"from", required_argument, NULL, 'k'},
                                       {"help", no_argument, NULL, 'h'},
@@ -65,6 +67,7 @@ static const tool_vain vain[] = {
     {TOOL_BIT('f'), TOOL_BIT('t'), 0, "--frames has no effect without --target"},
     {TOOL_BIT('d'), TOOL_BIT('t'), 0, "--drift has no effect without --target"},
     {TOOL_BIT('P'), TOOL_BIT('t'), 0, "--pgm has no effect without --target"},
+    {TOOL_BIT('S'), TOOL_BIT('t'), 0, "--share has no effect without --target"},
     {TOOL_BIT('k'), TOOL_BIT('t'), 0, "--from has no effect without --target"},
     {TOOL_BIT('k'), TOOL_BIT('d'), 0, "--from has no effect without --drift"},
     {TOOL_BIT('p'), 0, TOOL_BIT('t'), "--plates has no effect with --target"},
@@ -101,6 +104,8 @@ static int take(scene_job *j, int code, tool_fail *f)
         return tool_real("drift", optarg, -32, 32, &j->drift, f);
     case 'k':
         return tool_whole("from", optarg, 0, 999, &j->from, f);
+    case 'S':
+        return tool_whole("share", optarg, 10, 90, &j->share, f);
     case 'N':
         return tool_whole("noise", optarg, 0, 255, &j->noise, f);
     default:
@@ -162,7 +167,8 @@ static int record_target(const scene_job *j, tool_fail *f)
                             (int)j->height,   (int)j->num_disparities,
                             (int)j->frames,   (unsigned)j->seed,
                             (double)j->noise, j->drift,
-                            (int)j->from,     j->pgm};
+                            (int)j->from,     j->pgm,
+                            (int)j->share};
     return scene_frames_write(&s, f);
 }
 
@@ -205,7 +211,7 @@ static int work(const scene_job *j, tool_fail *f)
 
 int cmd_scene(int argc, char **argv)
 {
-    scene_job j = {NULL, 640, 480, 0, 64, 12, 1, 6, 100, 16, 0, 0, 0, 0, 0};
+    scene_job j = {NULL, 640, 480, 0, 64, 12, 1, 6, 100, 16, 0, 42, 0, 0, 0, 0};
     tool_fail f = {0};
     int status = read_options(&j, argc, argv, &f);
     if (status >= 0)

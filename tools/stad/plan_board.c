@@ -6,7 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { STACK_BYTES = 1024 }; /* the library's worst, test/budget */
+#include "stad/calib.h"
+
+enum { STACK_BYTES = 1024, LOOP_STACK_BYTES = 2048 }; /* the library's worst, test/budget; a firmware's, examples/mcu */
 
 struct plan_board {
     const char *name, *core;
@@ -75,4 +77,16 @@ double plan_board_instructions(const plan_board *b, const stad_geometry *g)
     if (g->channels != 1 || cells <= 0 || (g->mode != STAD_MODE_SGBM && g->mode != STAD_MODE_3WAY))
         return 0;
     return b->instructions[(g->mode == STAD_MODE_3WAY ? 2 : 0) + small] * cells;
+}
+
+void plan_board_print_loop(const plan_board *b, const stad_geometry *g)
+{
+    const size_t trial = stad_calib_evaluate_bytes(g), marks = stad_calib_frame_bytes(g->width, g->height);
+    const long work = (long)(trial > marks ? trial : marks);
+    const long pairs = 3l * 2 * g->width * g->height * g->channels;
+    const long state = (long)(sizeof(stad_calib) + sizeof(stad_evaluator) + sizeof(stad_match)) + row_bytes(g);
+    const long left = b->ram_bytes - work - pairs - state - LOOP_STACK_BYTES;
+    printf("whole loop, sgbm small: %ld bytes, of them %ld workspace in turn, %ld three pairs, %ld state and rows, %d stack: %s %ld %s\n",
+           work + pairs + state + LOOP_STACK_BYTES, work, pairs, state, LOOP_STACK_BYTES, left >= 0 ? "fits," : "does NOT fit,",
+           left >= 0 ? left : -left, left >= 0 ? "left" : "too many");
 }

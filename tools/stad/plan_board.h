@@ -24,4 +24,8 @@ long plan_board_left(const plan_board *b, const stad_geometry *g);
 /* Instructions of a frame, about: as counted at 160 x 120 with 32 disparities; 0: not counted. */
 double plan_board_instructions(const plan_board *b, const stad_geometry *g);
 
+/* The line about self-calibration on the board, of a geometry of SGBM and the small plan: frames held, one workspace for
+ * live matches, marks and evaluations. */
+void plan_board_print_loop(const plan_board *b, const stad_geometry *g);
+
 #endif

@@ -2,7 +2,7 @@
  * stad/scene_frames.c - `stad scene --target`: a recording of a room in which someone holds up the target.
  *
  * The pose wanders along sines of different periods, so that neighbouring frames are alike and distant ones are other poses.
- * In the coordinates of the trials: a wide lens, the target 0.42 of the image wide at about half of the disparity range.
+ * In the coordinates of the trials: a wide lens, the target at about half of the disparity range.
  * Now and then it is held still: a correction of the rig is only confirmed on a target that does not move. */
 #include "scene_frames.h"
 
@@ -26,7 +26,7 @@ static double place(const scene_frames *s, target_camera *c)
     target_camera_default(c, s->width, s->height);
     c->f = 0.6 * s->width;
     c->psf = 0.7;
-    double z = c->f * stad_target_relief()->width_mm / (0.42 * s->width);
+    double z = c->f * stad_target_relief()->width_mm / (s->share / 100.0 * s->width);
     c->baseline = 0.5 * s->num_disparities * z / c->f;
     return z;
 }

@@ -13,6 +13,7 @@ typedef struct scene_frames {
     double drift_dy; /* px that the right camera has sunk, from drift_from on */
     int drift_from;
     int pgm; /* 1: the views are written as .pgm */
+    int share; /* per cent of the image's width that the target takes */
 } scene_frames;
 
 /* Writes NNN_left.png, NNN_right.png (or .pgm), NNN_disp.pfm and NNN_nonocc.png for every frame. */
