@@ -88,14 +88,12 @@ int case_cost_u16(kernel_case *k)
 
 /* -- box: sums begin and end anywhere in 0..32767 ------------------------------------------------------------------------ */
 
-/* Sums that `change` takes to at most 32767 and at least 0; change is gains[i] * weight - losses[i]. */
-static int16_t *sums_for(chance *c, int32_t n, const uint16_t *gains, const uint16_t *losses, int32_t weight)
+/* Sums that `weight` times the costs takes to at most 32767. */
+static int16_t *sums_for(chance *c, int32_t n, const uint16_t *cost, int32_t weight)
 {
     int16_t *sum = room_take(c, 2 * (size_t)n, 2);
-    for (int32_t i = 0; i < n; i++) {
-        const int32_t change = gains[i] * weight - (losses ? losses[i] : 0);
-        sum[i] = (int16_t)chance_value(c, most_i32(-change, 0), least_i32(STAD_COST_MAX - change, STAD_COST_MAX));
-    }
+    for (int32_t i = 0; i < n; i++)
+        sum[i] = (int16_t)chance_value(c, 0, STAD_COST_MAX - cost[i] * weight);
     return sum;
 }
 
@@ -114,7 +112,7 @@ static int case_box_add(kernel_case *k, int wide)
     const int32_t n = k->size, top = wide ? 954 : 255, weight = chance_between(c, 1, wide ? 34 : 128);
     const uint16_t *cost = room_u16(c, n, 0, top);
     const uint8_t *bytes = narrowed(c, cost, n);
-    int16_t *mine = sums_for(c, n, cost, NULL, weight), *reference = room_twin(mine);
+    int16_t *mine = sums_for(c, n, cost, weight), *reference = room_twin(mine);
     snprintf(k->text, sizeof k->text, "n %d weight %d", n, weight);
     if (wide) {
         k->set->box_add_u16(mine, cost, n, weight);
@@ -136,32 +134,35 @@ int case_box_add_u16(kernel_case *k)
     return case_box_add(k, 1);
 }
 
-static int case_box_move(kernel_case *k, int wide)
+/* -- block: costs that a move takes to at most 32767 and at least 0 -------------------------------------------------------- */
+
+/* Any such costs for the move of `job`, whose effect on a row of zeros tells how far each may go. */
+static int16_t *blocks_for(chance *c, const stad_block_job *job)
+{
+    const int32_t n = job->columns * job->disparities;
+    int16_t *block = room_i16(c, n, 0, 0);
+    stad_block_row_c(job, block);
+    for (int32_t i = 0; i < n; i++)
+        block[i] = (int16_t)chance_value(c, most_i32(-block[i], 0), least_i32(STAD_COST_MAX - block[i], STAD_COST_MAX));
+    return block;
+}
+
+int case_block(kernel_case *k)
 {
     chance *c = &k->chance;
-    const int32_t n = k->size, top = wide ? 954 : 255;
-    const uint16_t *in = room_u16(c, n, 0, top), *out = room_u16(c, n, 0, top);
-    const uint8_t *in_bytes = narrowed(c, in, n), *out_bytes = narrowed(c, out, n);
-    int16_t *mine = sums_for(c, n, in, out, 1), *reference = room_twin(mine);
-    snprintf(k->text, sizeof k->text, "n %d", n);
-    if (wide) {
-        k->set->box_move_u16(mine, in, out, n);
-        stad_box_move_row_u16_c(reference, in, out, n);
-    } else {
-        k->set->box_move_u8(mine, in_bytes, out_bytes, n);
-        stad_box_move_row_u8_c(reference, in_bytes, out_bytes, n);
+    const int wide = (int)(chance_draw(c) % 2);
+    const int32_t n = k->size, columns = chance_between(c, 1, 40), top = wide ? 954 : 255;
+    const uint16_t *in = room_u16(c, columns * n, 0, top), *out = room_u16(c, columns * n, 0, top);
+    stad_block_job job = {in, out, room_i16(c, n, 0, 9), columns, n, chance_between(c, 0, 6), wide};
+    if (!wide) {
+        job.in = narrowed(c, in, columns * n);
+        job.out = narrowed(c, out, columns * n);
     }
-    return memcmp(mine, reference, 2 * (size_t)n) == 0;
-}
-
-int case_box_move_u8(kernel_case *k)
-{
-    return case_box_move(k, 0);
-}
-
-int case_box_move_u16(kernel_case *k)
-{
-    return case_box_move(k, 1);
+    int16_t *mine = blocks_for(c, &job), *reference = room_twin(mine);
+    snprintf(k->text, sizeof k->text, "columns %d disparities %d radius %d wide %d", columns, n, job.radius, wide);
+    k->set->block(&job, mine);
+    stad_block_row_c(&job, reference);
+    return memcmp(mine, reference, 2 * (size_t)(columns * n)) == 0;
 }
 
 int case_slide(kernel_case *k)

@@ -11,8 +11,7 @@ typedef void cost_u8_kernel(const stad_cost_job *, uint8_t *);
 typedef void cost_u16_kernel(const stad_cost_job *, uint16_t *);
 typedef void box_add_u8_kernel(int16_t *, const uint8_t *, int32_t, int32_t);
 typedef void box_add_u16_kernel(int16_t *, const uint16_t *, int32_t, int32_t);
-typedef void box_move_u8_kernel(int16_t *, const uint8_t *, const uint8_t *, int32_t);
-typedef void box_move_u16_kernel(int16_t *, const uint16_t *, const uint16_t *, int32_t);
+typedef void block_kernel(const stad_block_job *, int16_t *);
 typedef void slide_kernel(const stad_slide_job *, int16_t *);
 typedef void path_kernel(const stad_path_job *, stad_lane *, int32_t);
 typedef void path_u8_kernel(const stad_path_job *, stad_lane_u8 *, int32_t);
@@ -29,8 +28,7 @@ typedef struct kernel_set {
     cost_u16_kernel *cost_u16;
     box_add_u8_kernel *box_add_u8;
     box_add_u16_kernel *box_add_u16;
-    box_move_u8_kernel *box_move_u8;
-    box_move_u16_kernel *box_move_u16;
+    block_kernel *block;
     slide_kernel *slide;
     path_kernel *path, *path_sat;
     path_u8_kernel *path_u8;
@@ -42,8 +40,8 @@ typedef struct kernel_set {
 /* A table whose every kernel has this suffix; path_sat and path_u8 are named, since few tiers have their own. */
 #define KERNEL_SET(name, lanes, suffix, path_sat, path_u8) \
     {name, lanes, stad_prefilter_row##suffix, stad_range_row##suffix, stad_cost_row_u8##suffix, stad_cost_row_u16##suffix, \
-     stad_box_add_row_u8##suffix, stad_box_add_row_u16##suffix, stad_box_move_row_u8##suffix, \
-     stad_box_move_row_u16##suffix, stad_slide_row##suffix, stad_path_row##suffix, path_sat, path_u8, \
+     stad_box_add_row_u8##suffix, stad_box_add_row_u16##suffix, stad_block_row##suffix, \
+     stad_slide_row##suffix, stad_path_row##suffix, path_sat, path_u8, \
      stad_gather_row##suffix, stad_best_row##suffix, stad_best_row_3way##suffix, stad_median_row##suffix}
 
 #endif

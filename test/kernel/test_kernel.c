@@ -18,7 +18,7 @@ typedef void (*any)(void);
 static const kernel_set plain = KERNEL_SET("c", 8, _c, stad_path_row_sat_c, stad_path_row_u8_c);
 static const kernel_set sets[] = {
     {"bound", 8, stad_prefilter_row, stad_range_row, stad_cost_row_u8, stad_cost_row_u16, stad_box_add_row_u8,
-     stad_box_add_row_u16, stad_box_move_row_u8, stad_box_move_row_u16, stad_slide_row, stad_path_row, stad_path_row_sat,
+     stad_box_add_row_u16, stad_block_row, stad_slide_row, stad_path_row, stad_path_row_sat,
      stad_path_row_u8, stad_gather_row, stad_best_row, stad_best_row_3way, stad_median_row},
 #ifdef STAD_PORT_X86_H
     KERNEL_SET("sse41", 8, _sse41, stad_path_row_sat_c, stad_path_row_u8_c),
@@ -130,8 +130,7 @@ ROW_TEST(prefilter, plain.prefilter)
 ROW_TEST(range, plain.range)
 ROW_TEST(box_add_u8, plain.box_add_u8)
 ROW_TEST(box_add_u16, plain.box_add_u16)
-ROW_TEST(box_move_u8, plain.box_move_u8)
-ROW_TEST(box_move_u16, plain.box_move_u16)
+DISPARITY_TEST(block, plain.block)
 ROW_TEST(median, plain.median)
 COST_TEST(cost_u8, plain.cost_u8)
 COST_TEST(cost_u16, plain.cost_u16)
@@ -151,8 +150,7 @@ static void run_all(void)
     RUN_TEST(test_kernel_cost_u16_equals_c);
     RUN_TEST(test_kernel_box_add_u8_equals_c);
     RUN_TEST(test_kernel_box_add_u16_equals_c);
-    RUN_TEST(test_kernel_box_move_u8_equals_c);
-    RUN_TEST(test_kernel_box_move_u16_equals_c);
+    RUN_TEST(test_kernel_block_equals_c);
     RUN_TEST(test_kernel_slide_equals_c);
     RUN_TEST(test_kernel_path_equals_c);
     RUN_TEST(test_kernel_gather_equals_c);

@@ -84,8 +84,8 @@
     STAD_BYTES_UP(STAD_COST_BYTES(cn, cap) * \
                   STAD_BYTES_MAX(STAD_COST_SLOTS(cn, b, p2, cap, mode, memory) * STAD_CELLS(w, d), STAD_RUN * (size_t)(d)))
 
-/* Vertical sums, or the saturating block cost itself. */
-#define STAD_PART_SUMS(w, d) STAD_BYTES_UP(2 * STAD_CELLS(w, d))
+/* The block costs C of a row; where no rows of pixel costs are kept and C cannot saturate, vertical sums. */
+#define STAD_PART_WINDOW(w, d) STAD_BYTES_UP(2 * STAD_CELLS(w, d))
 
 /* S of one row (HH and HH4 copy it to and from the segment, whose rows lie too far for the sweeps to work in); or, where
  * the lanes can give it back, one run and the horizontal path's state at the start of each run. */
@@ -123,7 +123,7 @@
 
 #define STAD_MATCH_BYTES_(w, h, cn, d, b, p2, cap, mode, memory, narrow, safe) \
     (STAD_PART_PIXELS(w, h, cn, b, mode) + STAD_PART_FEATURES(w, cn) + \
-     STAD_PART_COSTS(w, cn, d, b, p2, cap, mode, memory) + STAD_PART_SUMS(w, d) + \
+     STAD_PART_COSTS(w, cn, d, b, p2, cap, mode, memory) + STAD_PART_WINDOW(w, d) + \
      STAD_PART_TOTALS(w, d, mode, memory, narrow) + STAD_PART_LANES(w, d, mode, memory, narrow) + \
      STAD_PART_SEGMENT(w, h, d, mode, memory, narrow, safe) + STAD_PART_CHECKPOINTS(w, h, d, mode, memory, narrow, safe) + \
      STAD_PART_RUN(d) + STAD_PART_ROWS(w))

@@ -22,11 +22,8 @@
 #ifndef stad_box_add_row_u16
 #    define stad_box_add_row_u16 stad_box_add_row_u16_c
 #endif
-#ifndef stad_box_move_row_u8
-#    define stad_box_move_row_u8 stad_box_move_row_u8_c
-#endif
-#ifndef stad_box_move_row_u16
-#    define stad_box_move_row_u16 stad_box_move_row_u16_c
+#ifndef stad_block_row
+#    define stad_block_row stad_block_row_c
 #endif
 #ifndef stad_slide_row
 #    define stad_slide_row stad_slide_row_c

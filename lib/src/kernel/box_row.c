@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * cost -> [BOX] -> slide
- * kernel/box_row.c - vertical sums of cost rows, moved by a row in one pass.
+ * kernel/box_row.c - vertical sums of cost rows.
  *
- * Bound: called only where (2r+1)^2 * largest cost <= 32767, so every sum of 2r+1 costs fits; a sum that gains a row before
- * it loses one is written as one difference and never overshoots in the int of the expression. */
+ * Bound: called only where (2r+1)^2 * largest cost <= 32767, so every sum of 2r+1 costs and one more fits. */
 #include "kernel/kernel.h"
 #include "base/arith.h"
 
@@ -17,16 +16,4 @@ void stad_box_add_row_u16_c(int16_t *restrict sum, const uint16_t *restrict cost
 {
     for (int32_t i = 0; i < n; i++)
         sum[i] = narrow_i16(sum[i] + weight * cost[i]);
-}
-
-void stad_box_move_row_u8_c(int16_t *restrict sum, const uint8_t *restrict in, const uint8_t *restrict out, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++)
-        sum[i] = narrow_i16(sum[i] + in[i] - out[i]);
-}
-
-void stad_box_move_row_u16_c(int16_t *restrict sum, const uint16_t *restrict in, const uint16_t *restrict out, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++)
-        sum[i] = narrow_i16(sum[i] + in[i] - out[i]);
 }

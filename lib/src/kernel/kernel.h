@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * kernel/kernel.h - the contract of every row kernel.
  *
- *     pixels -> PREFILTER -> RANGE -> COST -> BOX -> SLIDE -> PATH -> BEST -> REFINE -> SELECT -> CHECK -> MEDIAN -> disparity
+ *     pixels -> PREFILTER -> RANGE -> COST -> BLOCK (or BOX -> SLIDE) -> PATH -> BEST -> REFINE -> SELECT -> CHECK -> MEDIAN -> disparity
  *
  * A kernel takes plain pointers and integers, works on one row or on a run of columns of it, keeps nothing, allocates
  * nothing. Volumes are x-major: the D values of a column lie together, d ascending. The reference `stad_<kernel>_c` is
@@ -39,12 +39,21 @@ typedef struct stad_cost_job {
 void stad_cost_row_u8_c(const stad_cost_job *job, uint8_t *cost);
 void stad_cost_row_u16_c(const stad_cost_job *job, uint16_t *cost);
 
-/* -- box: vertical sums of cost rows (SPEC 4, no saturation possible) ---------------------------------------------------
- * add: sum += weight * cost, n cells. move: sum += in - out. Sums stay within 0..32767. */
+/* -- block: the block cost C of a whole row, moved by a row (SPEC 4, no saturation possible) ----------------------------
+ * in, out: whole cost rows of columns * disparities cells. block: as many; column x gains the costs of `in` and gives up those
+ * of `out` in the columns x - r .. x + r, clamped to [0, columns). hs: scratch of D. C stays within 0..32767. */
+typedef struct stad_block_job {
+    const void *in, *out;
+    int16_t *hs;
+    int32_t columns, disparities, radius;
+    int wide; /* costs are uint16_t, else uint8_t */
+} stad_block_job;
+void stad_block_row_c(const stad_block_job *job, int16_t *block);
+
+/* -- box: vertical sums of cost rows, where no ring of them is kept (SPEC 4, no saturation possible) --------------------
+ * sum += weight * cost, n cells. Sums stay within 0..32767. */
 void stad_box_add_row_u8_c(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight);
 void stad_box_add_row_u16_c(int16_t *sum, const uint16_t *cost, int32_t n, int32_t weight);
-void stad_box_move_row_u8_c(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n);
-void stad_box_move_row_u16_c(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n);
 
 /* -- slide: horizontal sums of the vertical ones: the block cost C (SPEC 4, no saturation possible) ---------------------
  * sum: columns * disparities. block: count * disparities for columns x .. x + count - 1, each p2 + the sum of the columns

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * match/frame.h - what a matcher holds (private), and the steps its modes put in order.
  *
- *     push -> pixel ring -> WINDOW (vertical sums, block costs) -> SWEEP (paths) -> ROW (winners, check) -> pull (median)
+ *     push -> pixel ring -> COSTS -> WINDOW (block costs) -> SWEEP (paths) -> ROW (winners, check) -> pull (median)
  *
  * Columns x are counted from the first one that can have a disparity; `first_column` turns them into image columns. */
 #ifndef STAD_FRAME_H
@@ -40,7 +40,7 @@ typedef struct stad_frame {
 
     /* parts of the workspace */
     uint8_t *pixels, *features, *costs;
-    int16_t *sums, *total_row;
+    int16_t *window, *total_row; /* C of a row, or vertical sums: window.c; S of a row, or NULL */
     uint8_t *resume, *segment, *checkpoints;
     int16_t *run_block, *run_total, *hs;
     stad_lane across, resumed; /* the horizontal path, and its replay */
@@ -85,11 +85,29 @@ static inline int frame_has_row(const stad_frame *f, int32_t y)
 /* -- plan.c: binds the parts of the workspace --------------------------------------------------------------------------- */
 void plan_bind(stad_frame *f, void *work);
 
-/* -- window.c: from pixel rows to block costs ---------------------------------------------------------------------------- */
+/* -- costs.c: from pixel rows to rows of pixel costs --------------------------------------------------------------------- */
+/* Feature rows of both views at row y: planes of {value, low, high}, the right view's reversed. */
+void costs_features(stad_frame *f, int32_t y);
+void costs_make(const stad_frame *f, int32_t x, int32_t count, void *cost); /* of a run of columns, from the features */
+/* The whole row y: from the ring or made into it; without a ring, made into buffer `which` of two. */
+const void *costs_row(stad_frame *f, int32_t y, int which);
+const void *costs_blank(stad_frame *f, int32_t y); /* empties the ring and puts zeros in the slot of row y */
+
+/* -- window.c: from pixel costs to block costs --------------------------------------------------------------------------- */
 void window_start(stad_frame *f, int32_t y, int32_t top); /* at row y of an image that begins at row top */
-void window_resume(stad_frame *f, int32_t y);             /* f->sums already hold row y's saturating block costs */
+void window_resume(stad_frame *f, int32_t y);             /* f->window already holds row y's saturating block costs */
 void window_go(stad_frame *f, int32_t y);                 /* to row y by the cheapest exact way */
 const int16_t *window_block(stad_frame *f, int32_t x, int32_t count); /* C of a run of columns */
+int32_t window_image_row(const stad_frame *f, int32_t k); /* k; outside the image its first or last row */
+
+/* -- window_*.c: what it holds ------------------------------------------------------------------------------------------- */
+void window_sums_start(stad_frame *f, int32_t y);
+void window_sums_move(stad_frame *f, int32_t in, int32_t out);
+const int16_t *window_sums_block(const stad_frame *f, int32_t x, int32_t count);
+void window_block_start(stad_frame *f, int32_t y);
+void window_block_move(stad_frame *f, const void *in, const void *out);
+void window_sat_start(stad_frame *f, int32_t top);
+void window_sat_go(stad_frame *f, int32_t y);
 
 /* -- lanes.c: path state ------------------------------------------------------------------------------------------------- */
 void lanes_shape(stad_frame *f);
@@ -113,6 +131,7 @@ void sweep_streamed(stad_frame *f);                       /* SGBM, 3WAY: forward
 void sweep_back(stad_frame *f, const row_sweep *s);       /* right to left, winners on the way */
 
 /* -- row.c: winners of a row ---------------------------------------------------------------------------------------------- */
+void row_fill(int16_t *to, int32_t n, int16_t value);
 void row_open(stad_frame *f);
 void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count); /* runs from right to left */
 void row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count);

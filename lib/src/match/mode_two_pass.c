@@ -35,7 +35,7 @@ static void save_checkpoint(stad_frame *f, int32_t segment)
     uint8_t *to = f->checkpoints + (size_t)(segment - 1) * f->checkpoint_bytes;
     memcpy(to, f->down.memory, f->state_bytes);
     if (!f->safe)
-        memcpy(to + f->state_bytes, f->sums, 2 * cell_count(f));
+        memcpy(to + f->state_bytes, f->window, 2 * cell_count(f));
 }
 
 static void load_checkpoint(stad_frame *f, int32_t segment)
@@ -46,7 +46,7 @@ static void load_checkpoint(stad_frame *f, int32_t segment)
     f->down.rows = y;
     if (f->safe)
         return;
-    memcpy(f->sums, from + f->state_bytes, 2 * cell_count(f));
+    memcpy(f->window, from + f->state_bytes, 2 * cell_count(f));
     window_resume(f, y - 1);
 }
 

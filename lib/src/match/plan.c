@@ -4,7 +4,7 @@
 #include "match/frame.h"
 #include "base/arith.h"
 
-enum part { PIXELS, FEATURES, COSTS, SUMS, TOTALS, LANES, SEGMENT, CHECKPOINTS, RUN, ROWS, PART_COUNT };
+enum part { PIXELS, FEATURES, COSTS, WINDOW, TOTALS, LANES, SEGMENT, CHECKPOINTS, RUN, ROWS, PART_COUNT };
 
 /* The geometry in the type of the macros, and the terms that several parts share. The macros are for constants: of variables
  * each is much code, so that every term is expanded once, here. */
@@ -76,7 +76,7 @@ static size_t part_bytes(const shape *s, int part)
         return STAD_PART_FEATURES(s->w, s->cn);
     case COSTS:
         return STAD_BYTES_UP(STAD_COST_BYTES(s->cn, s->cap) * STAD_BYTES_MAX(s->cost_slots * s->cells, STAD_RUN * s->d));
-    case SUMS:
+    case WINDOW:
         return s->row;
     case TOTALS:
         return totals_bytes(s);
@@ -106,7 +106,7 @@ size_t stad_match_bytes(const stad_geometry *g)
 
 size_t stad_match_part(const stad_geometry *g, int i, const char **name)
 {
-    static const char *const names[PART_COUNT] = {"pixels", "features", "costs",       "sums", "totals",
+    static const char *const names[PART_COUNT] = {"pixels", "features", "costs",       "window", "totals",
                                                   "lanes",  "segment",  "checkpoints", "run",  "rows"};
     const int known = i >= 0 && i < PART_COUNT && stad_geometry_check(g, NULL) == STAD_OK;
     if (name)
@@ -247,7 +247,7 @@ void plan_bind(stad_frame *f, void *work)
     f->pixels = part[PIXELS];
     f->features = part[FEATURES];
     f->costs = part[COSTS];
-    f->sums = (int16_t *)(void *)part[SUMS];
+    f->window = (int16_t *)(void *)part[WINDOW];
     bind_totals(f, part[TOTALS]);
     f->down.memory = part[LANES];
     f->up.memory = part[LANES] + s.state;

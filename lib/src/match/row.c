@@ -6,7 +6,7 @@
 #include "match/frame.h"
 #include "base/arith.h"
 
-static void fill_i16(int16_t *to, int32_t n, int16_t value)
+void row_fill(int16_t *to, int32_t n, int16_t value)
 {
     for (int32_t i = 0; i < n; i++)
         to[i] = value;
@@ -15,9 +15,9 @@ static void fill_i16(int16_t *to, int32_t n, int16_t value)
 void row_open(stad_frame *f)
 {
     const int32_t slot = f->made % 3, width = f->g.width;
-    fill_i16(f->raw[slot], width, none_q4(f));
-    fill_i16(f->votes[slot], width, none_q4(f)); /* in units of whole disparities, as SPEC 8 has it */
-    fill_i16(f->vote_cost, width, STAD_COST_MAX);
+    row_fill(f->raw[slot], width, none_q4(f));
+    row_fill(f->votes[slot], width, none_q4(f)); /* in units of whole disparities, as SPEC 8 has it */
+    row_fill(f->vote_cost, width, STAD_COST_MAX);
     memset(f->confidence[slot], 0, (size_t)width);
     if (f->recording)
         winners_open(f);

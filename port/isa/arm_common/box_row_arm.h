@@ -17,11 +17,6 @@ void STAD_TIER(stad_box_add_row_u16)(int16_t *sum, const uint16_t *cost, int32_t
     stad_box_add_row_u16_c(sum + i, cost + i, n - i, weight);
 }
 
-static inline void move_eight(int16_t *sum, const uint8_t *in, const uint8_t *out)
-{
-    vec_store(sum, vec_add(vec_load(sum), vec_sub_widened(in, out)));
-}
-
 /* Four vectors from or to consecutive addresses: one instruction where there is one. */
 #if !VEC_FOURS
 typedef struct vec4 {
@@ -71,29 +66,6 @@ static inline vec4 vec4_sub(vec4 a, vec4 b)
     for (int j = 0; j < 4; j++)
         a.val[j] = vec_sub(a.val[j], b.val[j]);
     return a;
-}
-
-static inline void move_32(int16_t *sum, const uint8_t *in, const uint8_t *out)
-{
-    vec4_store(sum, vec4_add(vec4_load(sum), vec4_sub_widened(in, out)));
-}
-
-void STAD_TIER(stad_box_move_row_u8)(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n)
-{
-    int32_t left = n;
-    for (; left >= 32; left -= 32, sum += 32, in += 32, out += 32)
-        move_32(sum, in, out);
-    for (; left >= 8; left -= 8, sum += 8, in += 8, out += 8)
-        move_eight(sum, in, out);
-    stad_box_move_row_u8_c(sum, in, out, left);
-}
-
-void STAD_TIER(stad_box_move_row_u16)(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n)
-{
-    int32_t i = 0;
-    for (; i + 8 <= n; i += 8)
-        vec_store(sum + i, vec_add(vec_load(sum + i), vec_sub(vec_load(in + i), vec_load(out + i))));
-    stad_box_move_row_u16_c(sum + i, in + i, out + i, n - i);
 }
 
 /* Column x of the sums, and how far to the next one: columns outside repeat the border. */

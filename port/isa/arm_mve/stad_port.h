@@ -9,8 +9,7 @@
 #define stad_cost_row_u16     stad_cost_row_u16_mve
 #define stad_box_add_row_u8   stad_box_add_row_u8_mve
 #define stad_box_add_row_u16  stad_box_add_row_u16_mve
-#define stad_box_move_row_u8  stad_box_move_row_u8_mve
-#define stad_box_move_row_u16 stad_box_move_row_u16_mve
+#define stad_block_row        stad_block_row_mve
 #define stad_slide_row        stad_slide_row_mve
 #define stad_path_row         stad_path_row_sized_mve
 #define stad_gather_row       stad_gather_row_mve
@@ -28,8 +27,7 @@ void stad_cost_row_u8_mve(const stad_cost_job *job, uint8_t *cost);
 void stad_cost_row_u16_mve(const stad_cost_job *job, uint16_t *cost);
 void stad_box_add_row_u8_mve(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight);
 void stad_box_add_row_u16_mve(int16_t *sum, const uint16_t *cost, int32_t n, int32_t weight);
-void stad_box_move_row_u8_mve(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n);
-void stad_box_move_row_u16_mve(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n);
+void stad_block_row_mve(const stad_block_job *job, int16_t *block);
 void stad_slide_row_mve(const stad_slide_job *job, int16_t *block);
 void stad_path_row_sized_mve(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_path_row_mve(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);

@@ -8,5 +8,6 @@
 #include "../arm_common/plane_row_arm.h"
 #include "../arm_common/cost_row_arm.h"
 #include "../arm_common/box_row_arm.h"
+#include "../arm_common/block_row_arm.h"
 #include "../arm_common/path_row_arm.h"
 #include "../arm_common/best_row_arm.h"

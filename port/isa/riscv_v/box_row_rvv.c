@@ -5,26 +5,6 @@
 
 #include "kernel/kernel.h"
 
-void stad_box_move_row_u8_rvv(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n)
-{
-    uint16_t *to = (uint16_t *)sum;
-    for (size_t left = (size_t)n, vl; left > 0; left -= vl, to += vl, in += vl, out += vl) {
-        vl = __riscv_vsetvl_e8m4(left);
-        const vuint16m8_t more = __riscv_vwaddu_wv_u16m8(__riscv_vle16_v_u16m8(to, vl), __riscv_vle8_v_u8m4(in, vl), vl);
-        __riscv_vse16_v_u16m8(to, __riscv_vwsubu_wv_u16m8(more, __riscv_vle8_v_u8m4(out, vl), vl), vl);
-    }
-}
-
-void stad_box_move_row_u16_rvv(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n)
-{
-    uint16_t *to = (uint16_t *)sum;
-    for (size_t left = (size_t)n, vl; left > 0; left -= vl, to += vl, in += vl, out += vl) {
-        vl = __riscv_vsetvl_e16m8(left);
-        const vuint16m8_t more = __riscv_vadd_vv_u16m8(__riscv_vle16_v_u16m8(to, vl), __riscv_vle16_v_u16m8(in, vl), vl);
-        __riscv_vse16_v_u16m8(to, __riscv_vsub_vv_u16m8(more, __riscv_vle16_v_u16m8(out, vl), vl), vl);
-    }
-}
-
 /* A weight is 1, the first row's r + 1, or -1 for a row that leaves: a signed byte holds it. */
 void stad_box_add_row_u8_rvv(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight)
 {

@@ -8,8 +8,7 @@
 #define stad_range_row        stad_range_row_rvv
 #define stad_cost_row_u8      stad_cost_row_u8_rvv
 #define stad_box_add_row_u8   stad_box_add_row_u8_rvv
-#define stad_box_move_row_u8  stad_box_move_row_u8_rvv
-#define stad_box_move_row_u16 stad_box_move_row_u16_rvv
+#define stad_block_row        stad_block_row_rvv
 #define stad_slide_row        stad_slide_row_rvv
 #define stad_path_row         stad_path_row_rvv
 #define stad_gather_row       stad_gather_row_rvv
@@ -24,8 +23,7 @@ void stad_prefilter_row_rvv(const uint8_t *above, const uint8_t *row, const uint
 void stad_range_row_rvv(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
 void stad_cost_row_u8_rvv(const stad_cost_job *job, uint8_t *cost);
 void stad_box_add_row_u8_rvv(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight);
-void stad_box_move_row_u8_rvv(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n);
-void stad_box_move_row_u16_rvv(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n);
+void stad_block_row_rvv(const stad_block_job *job, int16_t *block);
 void stad_slide_row_rvv(const stad_slide_job *job, int16_t *block);
 void stad_path_row_rvv(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_gather_row_rvv(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);

@@ -5,14 +5,14 @@
 #define STAD_PORT_H
 
 #define stad_cost_row_u8     stad_cost_row_u8_scalar
-#define stad_box_move_row_u8 stad_box_move_row_u8_scalar
+#define stad_block_row       stad_block_row_scalar
 #define stad_slide_row       stad_slide_row_scalar
 #define stad_path_row        stad_path_row_scalar
 #define stad_best_row        stad_best_row_scalar
 #define stad_best_row_3way   stad_best_row_3way_scalar
 
 void stad_cost_row_u8_scalar(const stad_cost_job *job, uint8_t *cost);
-void stad_box_move_row_u8_scalar(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n);
+void stad_block_row_scalar(const stad_block_job *job, int16_t *block);
 void stad_slide_row_scalar(const stad_slide_job *job, int16_t *block);
 void stad_path_row_scalar(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
 void stad_best_row_scalar(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);

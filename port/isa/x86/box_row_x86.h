@@ -19,22 +19,6 @@ void STAD_TIER(stad_box_add_row_u16)(int16_t *sum, const uint16_t *cost, int32_t
     stad_box_add_row_u16_c(sum + i, cost + i, n - i, weight);
 }
 
-void STAD_TIER(stad_box_move_row_u8)(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n)
-{
-    int32_t i = 0;
-    for (; i + VEC_LANES <= n; i += VEC_LANES)
-        vec_store(sum + i, vec_add(vec_load(sum + i), vec_sub(vec_widen(in + i), vec_widen(out + i))));
-    stad_box_move_row_u8_c(sum + i, in + i, out + i, n - i);
-}
-
-void STAD_TIER(stad_box_move_row_u16)(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n)
-{
-    int32_t i = 0;
-    for (; i + VEC_LANES <= n; i += VEC_LANES)
-        vec_store(sum + i, vec_add(vec_load(sum + i), vec_sub(vec_load(in + i), vec_load(out + i))));
-    stad_box_move_row_u16_c(sum + i, in + i, out + i, n - i);
-}
-
 static inline int32_t clamp_column(int32_t x, int32_t columns)
 {
     return x < 0 ? 0 : x < columns ? x : columns - 1;

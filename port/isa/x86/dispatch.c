@@ -103,14 +103,9 @@ void stad_box_add_row_u16_x86(int16_t *sum, const uint16_t *cost, int32_t n, int
     STAD_DISPATCH(stad_x86_tier(), stad_box_add_row_u16, (sum, cost, n, weight));
 }
 
-void stad_box_move_row_u8_x86(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n)
+void stad_block_row_x86(const stad_block_job *job, int16_t *block)
 {
-    STAD_DISPATCH(stad_x86_tier(), stad_box_move_row_u8, (sum, in, out, n));
-}
-
-void stad_box_move_row_u16_x86(int16_t *sum, const uint16_t *in, const uint16_t *out, int32_t n)
-{
-    STAD_DISPATCH(stad_x86_tier(), stad_box_move_row_u16, (sum, in, out, n));
+    STAD_DISPATCH(tier_for(job->disparities), stad_block_row, (job, block));
 }
 
 void stad_slide_row_x86(const stad_slide_job *job, int16_t *block)

@@ -10,5 +10,6 @@
 #include "plane_row_x86.h"
 #include "cost_row_x86.h"
 #include "box_row_x86.h"
+#include "block_row_x86.h"
 #include "path_row_x86.h"
 #include "best_row_x86.h"

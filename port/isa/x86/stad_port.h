@@ -9,8 +9,7 @@
 #define stad_cost_row_u16     stad_cost_row_u16_x86
 #define stad_box_add_row_u8   stad_box_add_row_u8_x86
 #define stad_box_add_row_u16  stad_box_add_row_u16_x86
-#define stad_box_move_row_u8  stad_box_move_row_u8_x86
-#define stad_box_move_row_u16 stad_box_move_row_u16_x86
+#define stad_block_row        stad_block_row_x86
 #define stad_slide_row        stad_slide_row_x86
 #define stad_path_row         stad_path_row_x86
 #define stad_gather_row       stad_gather_row_x86

@@ -1,31 +1,12 @@
 /* SPDX-License-Identifier: MIT
- * cost -> [BOX] -> path
- * port/isa/scalar/box_row_scalar.c - vertical sums moved by a row, and the block costs slid along them, two disparities a word.
+ * box -> [SLIDE] -> path
+ * port/isa/scalar/slide_row_scalar.c - block costs slid along vertical sums, two disparities a word.
  *
- * Bounds: every sum, and a sum before a column is taken away, lies in 0..65535 (STAD_COST_SAFE), so no lane carries; what a
- * move borrows between its lanes on the way, it gives back. */
+ * Bounds: every sum, and a sum before a column is taken away, lies in 0..65535 (STAD_COST_SAFE), so no lane carries. */
 #include <stddef.h>
 
 #include "kernel/kernel.h"
 #include "word.h"
-
-WORD_INLINE void move_two(word *sum, const uint8_t *in, const uint8_t *out)
-{
-    *sum += (word)in[0] - out[0] + (((word)in[1] - out[1]) << 16);
-}
-
-void stad_box_move_row_u8_scalar(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n)
-{
-    const int32_t whole = ((uintptr_t)sum & 3) == 0 ? n & ~7 : 0;
-    word *to = (word *)(void *)sum;
-    for (const uint8_t *end = in + whole; in != end; to += 4, in += 8, out += 8) {
-        move_two(to, in, out);
-        move_two(to + 1, in + 2, out + 2);
-        move_two(to + 2, in + 4, out + 4);
-        move_two(to + 3, in + 6, out + 6);
-    }
-    stad_box_move_row_u8_c(sum + whole, in, out, n - whole);
-}
 
 /* Column x of the sums, and how far to the next one, in words: columns outside repeat the border. */
 static inline const word *sum_column(const stad_slide_job *job, int32_t x)

@@ -1,28 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * cost -> [BOX] -> path
- * port/isa/arm_dsp/box_row_dsp.c - vertical sums of cost rows, and the block costs slid along them. */
+ * box -> [SLIDE] -> path
+ * port/isa/arm_dsp/slide_row_dsp.c - block costs slid along vertical sums. */
 #include <stddef.h>
 
 #include "kernel/kernel.h"
 #include "pair_dsp.h"
-
-/* sum += in - out for four cells; sum is aligned to a word. */
-PAIR_INLINE void move_four(int16_t *sum, pair in, pair out)
-{
-    const pair even = __usub16(even_bytes(in), even_bytes(out)), odd = __usub16(odd_bytes(in), odd_bytes(out));
-    const quad before = quad_load(sum);
-    quad_store(sum, __uadd16(before.low, pack_low(even, odd)), __uadd16(before.high, pack_high(even, odd)));
-}
-
-void stad_box_move_row_u8_dsp(int16_t *sum, const uint8_t *in, const uint8_t *out, int32_t n)
-{
-    const int32_t whole = ((uintptr_t)sum & 3) == 0 ? n & ~7 : 0;
-    for (const uint8_t *end = in + whole; in != end; sum += 8, in += 8, out += 8) {
-        move_four(sum, pair_load(in), pair_load(out));
-        move_four(sum + 4, pair_load(in + 4), pair_load(out + 4));
-    }
-    stad_box_move_row_u8_c(sum, in, out, n - whole);
-}
 
 /* Column x of the sums, and how far to the next one: columns outside repeat the border. */
 static inline const int16_t *sum_column(const stad_slide_job *job, int32_t x)
