@@ -130,6 +130,20 @@ static void test_truth_hull_of_too_many_corners_is_none(void)
 
 static const stad_polygon narrow = {4, {{10 * 256, 50 * 256}, {40 * 256, 50 * 256}, {40 * 256, 90 * 256}, {10 * 256, 90 * 256}}};
 
+/* Each corner is looked at before any two are subtracted. */
+static void test_truth_corners_anywhere_are_refused(void)
+{
+    const stad_plane plane = {0, 0, 20 * 65536};
+    const int32_t far[4] = {INT32_MIN, INT32_MAX, -4097 * 256, (4097 + W) * 256};
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 8; k++) {
+            stad_polygon p = narrow;
+            *(k % 2 ? &p.p[k / 2].x_q8 : &p.p[k / 2].y_q8) = far[i];
+            TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_truth_add_plane(&truth, &plane, &p));
+            TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_truth_add_mask(&truth, &p));
+        }
+}
+
 static void test_truth_left_of_the_searched_columns_has_no_box(void)
 {
     const stad_plane plane = {0, 0, 20 * 65536};
@@ -220,6 +234,7 @@ int main(void)
     RUN_TEST(test_truth_outline_of_too_many_corners_is_told);
     RUN_TEST(test_truth_outline_out_of_sight_is_told);
     RUN_TEST(test_truth_hull_of_too_many_corners_is_none);
+    RUN_TEST(test_truth_corners_anywhere_are_refused);
     RUN_TEST(test_truth_left_of_the_searched_columns_has_no_box);
     RUN_TEST(test_truth_beyond_the_right_border_is_hidden);
     RUN_TEST(test_truth_of_the_relief_ignores_marks_of_no_target);

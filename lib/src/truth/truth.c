@@ -23,18 +23,24 @@ int stad_truth_init(stad_truth *t, int width, int height, int min_disparity, int
     return STAD_OK;
 }
 
-/* Corners in range, and turning one way only. */
+static int corner_ok(const stad_truth *t, const stad_corner *p)
+{
+    const int32_t limit = MAX_OUTSIDE_PX * 256;
+    return p->x_q8 >= -limit && p->x_q8 <= limit + t->width * 256 && p->y_q8 >= -limit && p->y_q8 <= limit + t->height * 256;
+}
+
+/* Corners in range, all of them before any two are subtracted, and turning one way only. */
 static int polygon_ok(const stad_truth *t, const stad_polygon *where)
 {
-    const int32_t n = where->count, limit = MAX_OUTSIDE_PX * 256;
+    const int32_t n = where->count;
     int left = 0, right = 0;
     if (n < 3 || n > STAD_POLYGON_MAX)
         return 0;
-    for (int32_t i = 0; i < n; i++) {
-        const stad_corner a = where->p[i], b = where->p[(i + 1) % n], c = where->p[(i + 2) % n];
-        if (a.x_q8 < -limit || a.x_q8 > limit + t->width * 256 || a.y_q8 < -limit || a.y_q8 > limit + t->height * 256)
+    for (int32_t i = 0; i < n; i++)
+        if (!corner_ok(t, &where->p[i]))
             return 0;
-        const int64_t turn = stad_polygon_turn(a, b, c);
+    for (int32_t i = 0; i < n; i++) {
+        const int64_t turn = stad_polygon_turn(where->p[i], where->p[(i + 1) % n], where->p[(i + 2) % n]);
         left |= turn < 0;
         right |= turn > 0;
     }
