@@ -16,13 +16,13 @@ struct plan_board {
     double instructions[4]; /* per (W - D) H D: SGBM fast, small, 3WAY fast, small */
 };
 
-#define M3   {178.6, 269.9, 148.6, 227.7}
-#define M4   {84.8, 121.5, 71.9, 106.9}
-#define M7   {84.7, 121.4, 71.8, 106.8}
-#define M55  {22.3, 33.2, 20.3, 29.9}
-#define RV32 {153.9, 229.4, 127.3, 196.7}
-#define RV_V {13.9, 21.6, 13.1, 19.5}
-#define A53  {17.0, 27.8, 16.5, 24.8}
+#define M3   {176.7, 270.7, 148.1, 230.7}
+#define M4   {81.9, 121.8, 69.7, 108.2}
+#define M7   {82.1, 121.6, 69.9, 108.1}
+#define M55  {18.4, 30.7, 17.7, 28.3}
+#define RV32 {151.1, 229.7, 125.5, 199.0}
+#define RV_V {12.8, 21.3, 12.2, 19.3}
+#define A53  {15.8, 27.8, 14.6, 24.4}
 #define NONE {0, 0, 0, 0}
 
 static const plan_board boards[] = {{"mps2-an385", "Cortex-M3", 4l << 20, 4l << 20, M3},
