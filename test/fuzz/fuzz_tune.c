@@ -32,8 +32,9 @@ static void some_config(stad_tune_config *c, bytes *b)
     c->free_mask = (uint8_t)(how & 4 ? next(b) : 63);
     c->ordered = (uint8_t)(how >> 3 & 1);
     c->budget = (int16_t)(how & 16 ? number(b, 241) : 60);
-    c->patience = (int16_t)(how >> 5 & 1);
+    c->patience = (uint8_t)(how >> 5 & 1);
     c->seed = (uint32_t)next_i32(b);
+    c->cheap_mask = (uint8_t)(c->seed >> 8 & 63);
     for (int i = 0; how & 64 && i < STAD_TUNE_DIMS; i++) {
         some_axis(&c->axis[i], b);
     }

@@ -56,6 +56,49 @@ static int32_t rosenbrock(const stad_point *p)
     return (int32_t)(cost < 1 << 30 ? cost : 1 << 30);
 }
 
+/* How many of the points differ from an earlier one in uniqueness and disp12 alone. */
+static int cheap_points(const stad_tune *t)
+{
+    stad_point x, y;
+    int32_t cost;
+    int count = 0;
+    for (int i = 0; stad_tune_trace(t, i, &x, &cost) == STAD_OK; i++) {
+        int found = 0;
+        for (int k = 0; k < i && !found; k++) {
+            TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_trace(t, k, &y, &cost));
+            y.v[STAD_TUNE_UNIQUENESS_RATIO] = x.v[STAD_TUNE_UNIQUENESS_RATIO];
+            y.v[STAD_TUNE_DISP12_MAX_DIFF] = x.v[STAD_TUNE_DISP12_MAX_DIFF];
+            found = memcmp(&x, &y, sizeof x) == 0;
+        }
+        count += found;
+    }
+    return count;
+}
+
+static void test_tune_cheap_coordinates_are_settled(void)
+{
+    config.budget = 80;
+    run_search(&tune, &config, &sample_start, bowl);
+    const int few = cheap_points(&tune);
+    config.cheap_mask = 1 << STAD_TUNE_UNIQUENESS_RATIO | 1 << STAD_TUNE_DISP12_MAX_DIFF;
+    run_search(&tune, &config, &sample_start, bowl);
+    TEST_ASSERT_GREATER_OR_EQUAL_INT(few + 8, cheap_points(&tune));
+    TEST_ASSERT_LESS_THAN_INT32(40000 + 400, best_cost(&tune));
+}
+
+static void test_tune_cheap_coordinates_that_are_held_stay(void)
+{
+    stad_point x;
+    int32_t cost;
+    config.free_mask = 1 << STAD_TUNE_P1 | 1 << STAD_TUNE_P2;
+    config.cheap_mask = 1 << STAD_TUNE_UNIQUENESS_RATIO | 1 << STAD_TUNE_DISP12_MAX_DIFF;
+    run_search(&tune, &config, &sample_start, bowl);
+    for (int i = 0; stad_tune_trace(&tune, i, &x, &cost) == STAD_OK; i++) {
+        TEST_ASSERT_EQUAL_INT(10, x.v[STAD_TUNE_UNIQUENESS_RATIO]);
+        TEST_ASSERT_EQUAL_INT(1, x.v[STAD_TUNE_DISP12_MAX_DIFF]);
+    }
+}
+
 static void rosenbrock_config(stad_tune_config *c)
 {
     memset(c, 0, sizeof *c);
@@ -232,6 +275,8 @@ int main(void)
     RUN_TEST(test_tune_state_fits_four_kib);
     RUN_TEST(test_tune_bowl_reaches_floor_in_sixty);
     RUN_TEST(test_tune_every_method_improves_bowl);
+    RUN_TEST(test_tune_cheap_coordinates_are_settled);
+    RUN_TEST(test_tune_cheap_coordinates_that_are_held_stay);
     RUN_TEST(test_tune_rosenbrock_finds_valley);
     RUN_TEST(test_tune_fixed_coordinates_stay);
     RUN_TEST(test_tune_pair_keeps_p2_above_p1);

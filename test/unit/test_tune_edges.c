@@ -70,9 +70,10 @@ static int32_t holed(const stad_point *x)
 
 static void for_every_method(cost_function cost)
 {
-    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
-        config.method = (uint8_t)method;
+    for (int i = 0; i < 2 * (STAD_TUNE_DESCENT + 1); i++) {
+        config.method = (uint8_t)(i / 2);
         run_search(&tune, &config, &sample_start, cost);
+        config.cheap_mask ^= 40; /* uniqueness and disp12: now without, now with */
     }
 }
 
@@ -173,6 +174,7 @@ static void test_tune_noise_ends_for_every_seed(void)
         config.seed = seed;
         config.budget = (int16_t)(1 + next_noise() % STAD_TUNE_LOG);
         config.free_mask = (uint8_t)(next_noise() % 64);
+        config.cheap_mask = (uint8_t)(next_noise() % 64);
         for_every_method(noise);
     }
 }
@@ -232,6 +234,8 @@ static void test_tune_bad_config_is_refused_by_name(void)
     refused("ladder_count");
     config.free_mask = 64;
     refused("free_mask");
+    config.cheap_mask = 64;
+    refused("cheap_mask");
 }
 
 static void test_tune_one_point_box_ends(void)

@@ -9,14 +9,16 @@ static const struct {
     int method;
     int purpose;
     int budget;
+    int cheap; /* mask */
     uint32_t hash;
 } golden[] = {
-    {STAD_TUNE_NCG, STAD_TUNE_FOR_ANY, 150, 0x6ea534a8u},
-    {STAD_TUNE_NCG, STAD_TUNE_FOR_BAD, 100, 0xc1772754u},
-    {STAD_TUNE_NCG, STAD_TUNE_FOR_CHOW, 200, 0x1329578bu},
-    {STAD_TUNE_NCG_PAPER, STAD_TUNE_FOR_ANY, 150, 0xf6563426u},
-    {STAD_TUNE_SD, STAD_TUNE_FOR_ANY, 150, 0xeb5f8045u},
-    {STAD_TUNE_HYBRID, STAD_TUNE_FOR_ANY, 150, 0x3b79de16u},
+    {STAD_TUNE_NCG, STAD_TUNE_FOR_ANY, 150, 0, 0x6ea534a8u},
+    {STAD_TUNE_NCG, STAD_TUNE_FOR_BAD, 100, 0, 0xc1772754u},
+    {STAD_TUNE_NCG, STAD_TUNE_FOR_CHOW, 200, 0, 0x1329578bu},
+    {STAD_TUNE_NCG, STAD_TUNE_FOR_BAD, 100, 40, 0x5636d3a4u},
+    {STAD_TUNE_NCG_PAPER, STAD_TUNE_FOR_ANY, 150, 0, 0xf6563426u},
+    {STAD_TUNE_SD, STAD_TUNE_FOR_ANY, 150, 0, 0xeb5f8045u},
+    {STAD_TUNE_HYBRID, STAD_TUNE_FOR_ANY, 150, 0, 0x3b79de16u},
 };
 
 void setUp(void)
@@ -35,6 +37,7 @@ static void test_tune_trajectory_is_the_golden_one(void)
         stad_tune_config_stereo(&config, golden[i].purpose);
         config.method = (uint8_t)golden[i].method;
         config.budget = (int16_t)golden[i].budget;
+        config.cheap_mask = (uint8_t)golden[i].cheap;
         config.seed = 12345;
         run_search(&tune, &config, &sample_start, bowl);
         TEST_ASSERT_EQUAL_HEX32(golden[i].hash, hash_of(&tune));

@@ -52,7 +52,11 @@ def test_tune_python_state_resumes():
 def test_tune_python_refuses_by_name():
     tuner = stadimeter.Tuner(START)
     for word, call in (("channels", lambda: stadimeter.Tuner(START, channels=2)), ("budget", lambda: stadimeter.Tuner(START, budget=241)),
-                       ("purpose", lambda: stadimeter.Tuner(START, purpose="rmse")), ("cost", lambda: tuner.tell(-1)),
+                       ("purpose", lambda: stadimeter.Tuner(START, purpose="rmse")), ("missing p2", lambda: stadimeter.Tuner({k: v for k, v in START.items() if k != "p2"})),
+                       ("unknown blok", lambda: stadimeter.Tuner(dict(START, blok=3))), ("start: p2 = 2.5", lambda: stadimeter.Tuner(dict(START, p2=2.5))),
+                       ("limits: p2 = (1, 40000)", lambda: stadimeter.Tuner(START, limits={"p2": (1, 40000)})),
+                       ("limits: block_size = (0, 5)", lambda: stadimeter.Tuner(START, limits={"block_size": (0, 5)})),
+                       ("'speed'", lambda: stadimeter.Tuner(START, cheap=["speed"])), ("seed", lambda: stadimeter.Tuner(START, seed=-1)), ("cost", lambda: tuner.tell(-1)),
                        ("cost", lambda: tuner.tell(float("nan"))), ("p1", lambda: stadimeter.Tuner(START, limits={"p1": (9, 8)})),
                        ("state", lambda: stadimeter.Tuner.restore(bytes(4016))), ("state", lambda: stadimeter.Tuner.restore(b"\xff" * 4016))):
         try:

@@ -27,9 +27,14 @@ static const char help[] =
     "  --threshold PX       error above which a pixel is wrong (1)\n"
     "  --max-evals N        distinct evaluations at most, 1..240 (100)\n"
     "  --share N            frames whose winners are kept, 8 bytes a pixel each: points that differ only in\n"
-    "                       uniqueness_ratio or disp12_max_diff then need no matching (8; same result)\n"
+    "                       uniqueness_ratio or disp12_max_diff then need no matching (8; same result).\n"
+    "                       For bad the search settles these two wherever it gets to: a third of its points\n"
+    "  --seed N             of the draws of hybrid, and of the crosses that end ncg and hybrid (0). The same\n"
+    "                       seed and costs give the same search on every machine\n"
     "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), "
-    "values laid over\n"
+    "values laid over;\n"
+    "                       a value outside the bounds searched (stad/tune.h) widens them: block_size=21 lets\n"
+    "                       every point have a block of up to 21\n"
     "  --free NAME,...      what may vary "
     "(p1,p2,block_size,uniqueness_ratio,pre_filter_cap,disp12_max_diff)\n"
     "  --json OUT           start, best and the trace of costs\n"
@@ -50,6 +55,7 @@ enum {
     OPT_THRESHOLD,
     OPT_EVALS,
     OPT_SHARE,
+    OPT_SEED,
     OPT_START,
     OPT_FREE,
     OPT_JSON,
@@ -71,6 +77,7 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"threshold", required_argument, NULL, OPT_THRESHOLD},
                                       {"max-evals", required_argument, NULL, OPT_EVALS},
                                       {"share", required_argument, NULL, OPT_SHARE},
+                                      {"seed", required_argument, NULL, OPT_SEED},
                                       {"start", required_argument, NULL, OPT_START},
                                       {"free", required_argument, NULL, OPT_FREE},
                                       {"json", required_argument, NULL, OPT_JSON},
@@ -171,6 +178,8 @@ static int take(tune_job *j, int code, tool_fail *f)
         return tool_whole("max-evals", optarg, 1, STAD_TUNE_LOG, &j->max_evals, f);
     case OPT_SHARE:
         return tool_whole("share", optarg, 0, STAD_TUNE_LOG, &j->share, f);
+    case OPT_SEED:
+        return tool_whole("seed", optarg, 0, INT32_MAX, &j->seed, f);
     case OPT_START:
         return each_part(optarg, take_start, j, f);
     case OPT_FREE:

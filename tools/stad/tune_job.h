@@ -25,6 +25,7 @@ typedef struct tune_job {
     int method;
     unsigned free_mask;
     long max_evals; /* 0: the library's own */
+    long seed;
     long share;     /* frames whose winners are kept */
     scoring how;
     scene_set set;

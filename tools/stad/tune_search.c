@@ -68,6 +68,9 @@ static void configure(const tune_job *j, stad_tune_config *c, const stad_point *
     }
     if (j->free_mask)
         c->free_mask = (uint8_t)j->free_mask;
+    if (j->how.cost == STAD_SCORE_BAD) /* whether winners are kept or not: the same points */
+        c->cheap_mask = 1u << STAD_TUNE_UNIQUENESS_RATIO | 1u << STAD_TUNE_DISP12_MAX_DIFF;
+    c->seed = (uint32_t)j->seed;
     if (j->max_evals)
         c->budget = (int16_t)j->max_evals;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {

@@ -23,7 +23,7 @@ from costs import measures
 from ours import OURS, best_of, search
 from scenes import DEFAULT, Scene, sample, split
 
-ORDER = ["ncg", "ncg-bare", "hybrid", "ncg-paper", "sd", "grid", "bobyqa", "nelder-mead", "cma-es", "tpe", "pso", "ga", "random"]
+ORDER = ["ncg", "ncg-shared", "ncg-bare", "hybrid", "ncg-paper", "sd", "grid", "bobyqa", "nelder-mead", "cma-es", "tpe", "pso", "ga", "random"]
 HALVES = ("design", "report")
 NEVER = float("inf")
 

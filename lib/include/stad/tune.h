@@ -86,7 +86,9 @@ typedef struct stad_tune_config {
         ordered; /* 1: p2 is kept above p1, as stereo wants, and by the descents, where both may move, at about sqrt(2) * p1 or more; 0: independent */
     uint8_t ladder_count; /* 0..STAD_TUNE_LADDER */
     int16_t budget;       /* distinct evaluations, 1..STAD_TUNE_LOG */
-    int16_t patience;     /* 0: use the whole budget; 1: stop when the first descent has converged */
+    uint8_t patience;     /* 0: use the whole budget; 1: stop when the first descent has converged */
+    uint8_t
+        cheap_mask; /* bit i set: a point that moves coordinate i alone costs the application next to nothing (stad/winners.h). NCG, DESCENT and HYBRID then settle these coordinates at once wherever they get to; 0: none, the default */
     uint32_t seed;        /* of the draws of HYBRID, and of the crosses that end NCG and HYBRID */
     stad_tune_axis axis[STAD_TUNE_DIMS]; /* by enum stad_tune_dim */
     stad_point ladder[STAD_TUNE_LADDER]; /* further points to start from; they are scored first and count */

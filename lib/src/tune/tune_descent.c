@@ -4,7 +4,7 @@
  * From the best of the start and its ladder: sweep the axes, each giving slope and curvature and moving at once; take one
  * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
  * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best rung of another
- * block. */
+ * block. Axes whose probes are cheap are swept first, and settled wherever the others lead. */
 #include "tune/tune_descent.h"
 #include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
@@ -19,13 +19,71 @@ static const uint8_t sweep_order[STAD_TUNE_DIMS] = {
     STAD_TUNE_PRE_FILTER_CAP,   STAD_TUNE_P1,         STAD_TUNE_P2,
     STAD_TUNE_UNIQUENESS_RATIO, STAD_TUNE_BLOCK_SIZE, STAD_TUNE_DISP12_MAX_DIFF};
 
-static int sweep_all(stad_tune *t, tune_walk *w)
+static int32_t finer(int32_t step)
+{
+    return step / 2 > REACH_LEAST ? step / 2 : REACH_LEAST;
+}
+
+static int is_cheap(const stad_tune *t, int i)
+{
+    return t->config.cheap_mask >> i & 1;
+}
+
+static int is_swept(const stad_tune *t, int i)
+{
+    return stad_tune_is_free(&t->config, i) && stad_tune_is_continuous(&t->config, i);
+}
+
+static int sweep_cheap(stad_tune *t, tune_walk *w)
 {
     for (int k = 0; k < STAD_TUNE_DIMS; k++) {
         const int i = sweep_order[k];
-        if (!stad_tune_is_free(&t->config, i) || !stad_tune_is_continuous(&t->config, i))
+        if (is_swept(t, i) && is_cheap(t, i) && !stad_tune_sweep_axis(t, w, i))
+            return 0;
+    }
+    return 1;
+}
+
+static int poll_cheap(stad_tune *t, tune_walk *w)
+{
+    int moved;
+    for (int i = 0; TUNE_POLLS && i < STAD_TUNE_DIMS; i++) {
+        if (is_cheap(t, i) && stad_tune_is_free(&t->config, i) && !stad_tune_is_continuous(&t->config, i) &&
+            !stad_tune_poll(t, w, i, &moved))
+            return 0;
+    }
+    return 1;
+}
+
+/* Probes the cheap axes around here at ever smaller distances. */
+static int settle(stad_tune *t, tune_walk *w)
+{
+    const int32_t step = w->step;
+    if (t->config.cheap_mask == 0)
+        return 1;
+    if (!poll_cheap(t, w) || !sweep_cheap(t, w))
+        return 0;
+    while (w->step > REACH_LEAST) {
+        w->step = finer(w->step);
+        if (!sweep_cheap(t, w))
+            return 0;
+    }
+    w->step = step;
+    return 1;
+}
+
+static int sweep_all(stad_tune *t, tune_walk *w)
+{
+    if (!sweep_cheap(t, w))
+        return 0;
+    for (int k = 0; k < STAD_TUNE_DIMS; k++) {
+        const int i = sweep_order[k];
+        const int32_t before = w->cost;
+        if (!is_swept(t, i) || is_cheap(t, i))
             continue;
         if (!stad_tune_sweep_axis(t, w, i))
+            return 0;
+        if (w->cost < before && !settle(t, w))
             return 0;
     }
     return 1;
@@ -82,6 +140,8 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
             return 0;
         if (TUNE_FOLLOW && !stad_tune_follow(t, &w, &from))
             return 0;
+        if ((k == 1 || w.cost < before) && !settle(t, &w))
+            return 0;
         if ((int64_t)before - w.cost < before / 250) {
             if (w.step <= REACH_LEAST) {
                 if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
@@ -95,7 +155,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
                 polled_at = w.cost;
                 continue;
             }
-            w.step = w.step / 2 > REACH_LEAST ? w.step / 2 : REACH_LEAST;
+            w.step = finer(w.step);
             w.has_old = 0;
         }
         if (k % 4 == 0)

@@ -44,7 +44,7 @@ Point = c_int16 * DIMS
 
 class TuneConfig(ctypes.Structure):
     _fields_ = [("method", c_uint8), ("free_mask", c_uint8), ("ordered", c_uint8), ("ladder_count", c_uint8),
-                ("budget", c_int16), ("patience", c_int16), ("seed", c_uint32), ("axis", Axis * DIMS), ("ladder", Point * LADDER)]
+                ("budget", c_int16), ("patience", c_uint8), ("cheap_mask", c_uint8), ("seed", c_uint32), ("axis", Axis * DIMS), ("ladder", Point * LADDER)]
 
 
 class TuneCounts(ctypes.Structure):

@@ -31,7 +31,7 @@ from ._version import __version__
 from .files import mask_labels, read_grey, read_truth, stamp
 from .score import FAILED_Q20, Scorer, label
 from .sgbm import _FIELDS, StereoSGBM_create
-from .tune import NAMES, Tuner
+from .tune import NAMES, Tuner, cheap_for
 
 Counts = Dict[str, int]
 Point = Mapping[str, int]
@@ -138,7 +138,7 @@ def mean_q20(counts: Sequence[Counts], cost: str) -> int:
 
 def search(scene: Scene, settings: Settings, start: Point, budget: int) -> List[Tuple[Dict[str, int], Counts]]:
     """A scene tuned by itself: every distinct evaluation."""
-    tuner, trace = Tuner(start, purpose=settings.cost, budget=budget), []
+    tuner, trace = Tuner(start, purpose=settings.cost, budget=budget, cheap=cheap_for(settings.cost)), []
     while (point := tuner.ask()) is not None:
         counts = measure(scene, settings, point)
         trace.append((point, counts))
@@ -280,7 +280,7 @@ class Study:
 
     def tune(self, start: Point, budget: int = 100) -> List[Tuple[Dict[str, int], int]]:
         """One set for all scenes: the trace of points and costs. Its tuner is fed from the results as far as they go."""
-        tuner, trace = Tuner(start, purpose=self.settings.cost, budget=budget), []
+        tuner, trace = Tuner(start, purpose=self.settings.cost, budget=budget, cheap=cheap_for(self.settings.cost)), []
         while (point := tuner.ask()) is not None:
             trace.append((point, mean_q20(list(self.evaluate(point).values()), self.settings.cost)))
             tuner.tell_q20(trace[-1][1])

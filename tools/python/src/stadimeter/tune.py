@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import numbers
 from typing import Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from ._native import DIMS, TUNE_BYTES, Point, TuneConfig, lib
@@ -21,36 +22,50 @@ def _choice(name: str, value: str, table: Mapping[str, int]) -> int:
     return table[value]
 
 
+def cheap_for(purpose: str) -> Tuple[str, ...]:
+    """What `stad tune` has settled wherever it gets to, because it keeps winners: for bad alone (docs/TUNING.md)."""
+    return ("uniqueness_ratio", "disp12_max_diff") if purpose == "bad" else ()
+
+
 class Tuner:
     """An ask/tell search over p1, p2, block_size, uniqueness_ratio, pre_filter_cap, disp12_max_diff.
 
     start: a value for each name. purpose: the cost that will be told ("bad", "chow", "d1"; "any" brings no start ladder).
-    channels: of the frames. free: names that may move (default all). limits: name -> (lowest, highest). bytes(tuner) is its
-    whole state; restore() goes on."""
+    channels: of the frames. free: names that may move (default all). cheap: names whose change alone costs next to nothing, to be
+    settled wherever the search gets to. limits: name -> (lowest, highest). seed: of the draws of hybrid and of the crosses that
+    end ncg; the same seed and costs give the same search everywhere. bytes(tuner) is its whole state; restore() goes on."""
 
     def __init__(self, start: Mapping[str, int], purpose: str = "bad", method: str = "ncg", budget: int = 100,
-                 free: Optional[Iterable[str]] = None, limits: Optional[Mapping[str, Tuple[int, int]]] = None, seed: int = 1,
-                 patience: bool = False, channels: int = 1) -> None:
+                 free: Optional[Iterable[str]] = None, limits: Optional[Mapping[str, Tuple[int, int]]] = None, seed: int = 0,
+                 patience: bool = False, channels: int = 1, cheap: Iterable[str] = ()) -> None:
         config = TuneConfig()
         lib.stad_tune_config_stereo(config, _choice("purpose", purpose, PURPOSES))
         config.method = _choice("method", method, METHODS)
         if not 1 <= budget <= 240:
             raise ValueError(f"budget = {budget}: 1..240 distinct evaluations")
+        if not 0 <= seed < 2**32:
+            raise ValueError(f"seed = {seed}: 0..{2**32 - 1}")
         if channels not in (1, 3):
             raise ValueError(f"channels = {channels}: 1 or 3")
         for rung in config.ladder[:config.ladder_count]:  # made for grey frames
             rung[0], rung[1] = rung[0] * channels, rung[1] * channels
-        config.budget, config.seed, config.patience = budget, seed & 0xFFFFFFFF, int(patience)
+        config.budget, config.seed, config.patience = budget, seed, int(patience)
         if free is not None:
             config.free_mask = sum(1 << self._index(name) for name in set(free))
+        config.cheap_mask = sum(1 << self._index(name) for name in set(cheap))
         for name, (low, high) in (limits or {}).items():
-            config.axis[self._index(name)].lo, config.axis[self._index(name)].hi = low, high
+            axis = config.axis[self._index(name)]
+            least = 0 if name == "uniqueness_ratio" else 1
+            if not least <= low <= high <= 32767:
+                raise ValueError(f"limits: {name} = ({low}, {high}): must be lowest and highest, within {least}..32767")
+            axis.lo, axis.hi = low, high
         missing = [name for name in NAMES if name not in start]
         if missing or len(start) != DIMS:
-            raise ValueError(f"start: must give {', '.join(NAMES)}" + (f"; missing: {', '.join(missing)}" if missing else ""))
+            strange = [name for name in start if name not in NAMES]
+            raise ValueError("start: " + "; ".join(f"{what} {', '.join(names)}" for what, names in (("missing", missing), ("unknown", strange)) if names))
         for name in NAMES:
-            if not -32768 <= start[name] <= 32767:
-                raise ValueError(f"{name} = {start[name]} is outside the domain")
+            if not isinstance(start[name], numbers.Integral) or not -32768 <= start[name] <= 32767:
+                raise ValueError(f"start: {name} = {start[name]!r}: must be a whole number within -32768..32767")
         culprit = ctypes.c_char_p()
         if lib.stad_tune_config_check(config, ctypes.byref(culprit)) != 0:
             raise ValueError(f"{(culprit.value or b'config').decode()}: refused by the tuner")
