@@ -15,6 +15,7 @@
 #define stad_best_row         stad_best_row_rvv
 #define stad_best_row_3way    stad_best_row_3way_rvv
 #define stad_refine_row       stad_refine_row_rvv
+#define stad_select_row       stad_select_row_rvv
 #define stad_check_row        stad_check_row_rvv
 #define stad_median_row       stad_median_row_rvv
 
@@ -30,6 +31,7 @@ void stad_gather_row_rvv(int16_t *total, const stad_lane *lane, int32_t slot, co
 void stad_best_row_rvv(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_rvv(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_refine_row_rvv(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine);
+void stad_select_row_rvv(stad_select_job *job);
 int32_t stad_check_row_rvv(const stad_check_job *job);
 void stad_median_row_rvv(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
