@@ -14,6 +14,7 @@ archive=dist/stadimeter_$version.tgz
 mkdir "$work/component" "$work/project"
 tar -xzf "$archive" -C "$work/component"
 if [ -e "$work/component/tools" ] || [ -e "$work/component/test" ]; then echo "FAILED: more was packed than the library"; exit 1; fi
+printf 'void app_main(void);\nint main(void) { app_main(); return 0; }\n' >"$work/app.c"
 build_with() { # FOLDER_OF_THE_COMPONENT
     rm -rf "$work/project/build"
     cat >"$work/project/CMakeLists.txt" <<END
@@ -28,10 +29,14 @@ endfunction()
 add_subdirectory($1 component)
 add_executable(main $work/main.c)
 target_link_libraries(main PRIVATE component)
+add_executable(app $source_dir/examples/esp-idf/main/main.c $work/app.c)
+target_link_libraries(app PRIVATE component)
 END
     quietly cmake -S "$work/project" -B "$work/project/build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_COMPILER="$cc"
     quietly cmake --build "$work/project/build" -j 2
     quietly "$work/project/build/main"
+    quietly "$work/project/build/app"
+    grep -q '^STAD_OK: [1-9]' "$work/log" || { cat "$work/log"; echo "FAILED: the example finds nothing"; exit 1; }
 }
 build_with "$work/component"
 build_with "$work/copy/examples/esp-idf/components/stadimeter"
