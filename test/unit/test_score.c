@@ -231,9 +231,40 @@ static void test_score_negative_counts_cost_nothing(void)
     TEST_ASSERT_EQUAL_INT32(0, stad_score_cost_of(&score, STAD_SCORE_SPECKLE));
 }
 
+/* Rows longer than what is counted at a time; every pixel the same, of each kind in turn. */
+static void test_score_long_rows_count_every_pixel(void)
+{
+    enum { MOST = 1024 };
+    static const int lengths[] = {1, 254, 255, 256, 510, 511, MOST};
+    static int16_t d[16 + MOST];
+    static int32_t t[16 + MOST];
+    static uint8_t l[16 + MOST];
+    for (int k = 0; k < 7 * 4; k++) {
+        const int n = lengths[k / 4], occluded = k & 1, missing = k >> 1 & 1;
+        for (int x = 0; x < 16 + n; x++) {
+            d[x] = missing ? NONE_Q4 : 160;
+            t[x] = PX(5);
+            l[x] = occluded ? OCC : VIS;
+        }
+        TEST_ASSERT_EQUAL_INT(STAD_OK, stad_score_begin(&score, &config));
+        stad_score_row(&score, 0, d, t, l, 16 + n);
+        TEST_ASSERT_EQUAL_INT32(occluded ? 0 : n, score.counts.visible);
+        TEST_ASSERT_EQUAL_INT32(occluded ? n : 0, score.counts.occluded);
+        TEST_ASSERT_EQUAL_INT32(missing && !occluded ? n : 0, score.counts.missing_visible);
+        TEST_ASSERT_EQUAL_INT32(missing && occluded ? n : 0, score.counts.missing_occluded);
+        TEST_ASSERT_EQUAL_INT32(missing || occluded ? 0 : n, score.counts.wrong_visible);
+        TEST_ASSERT_EQUAL_INT32(missing || occluded ? 0 : n, score.counts.d1_visible);
+        TEST_ASSERT_EQUAL_INT32(!missing && occluded ? n : 0, score.counts.wrong_occluded);
+        TEST_ASSERT_EQUAL_INT32(!missing && occluded ? n : 0, score.counts.d1_occluded);
+        TEST_ASSERT_EQUAL_INT64(missing || occluded ? 0 : (int64_t)n * 5 * 65536, score.counts.abs_sum_q16);
+        TEST_ASSERT_EQUAL_INT64(missing || occluded ? 0 : (int64_t)n * 25 * 65536, score.counts.square_sum_q16);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_score_long_rows_count_every_pixel);
     RUN_TEST(test_score_mixed_row_counts_each_kind);
     RUN_TEST(test_score_mixed_row_costs_by_hand);
     RUN_TEST(test_score_rmse_and_mae_by_hand);

@@ -19,11 +19,6 @@ static const uint8_t sweep_order[STAD_TUNE_DIMS] = {
     STAD_TUNE_PRE_FILTER_CAP,   STAD_TUNE_P1,         STAD_TUNE_P2,
     STAD_TUNE_UNIQUENESS_RATIO, STAD_TUNE_BLOCK_SIZE, STAD_TUNE_DISP12_MAX_DIFF};
 
-static int32_t finer(int32_t step)
-{
-    return step / 2 > REACH_LEAST ? step / 2 : REACH_LEAST;
-}
-
 static int is_cheap(const stad_tune *t, int i)
 {
     return t->config.cheap_mask >> i & 1;
@@ -55,7 +50,7 @@ static int poll_cheap(stad_tune *t, tune_walk *w)
     return 1;
 }
 
-/* Probes the cheap axes around here at ever smaller distances. */
+/* Probes the cheap axes around here, at the distance of now and at the least. */
 static int settle(stad_tune *t, tune_walk *w)
 {
     const int32_t step = w->step;
@@ -63,11 +58,9 @@ static int settle(stad_tune *t, tune_walk *w)
         return 1;
     if (!poll_cheap(t, w) || !sweep_cheap(t, w))
         return 0;
-    while (w->step > REACH_LEAST) {
-        w->step = finer(w->step);
-        if (!sweep_cheap(t, w))
-            return 0;
-    }
+    w->step = REACH_LEAST;
+    if (!sweep_cheap(t, w))
+        return 0;
     w->step = step;
     return 1;
 }
@@ -155,7 +148,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
                 polled_at = w.cost;
                 continue;
             }
-            w.step = finer(w.step);
+            w.step = w.step / 2 > REACH_LEAST ? w.step / 2 : REACH_LEAST;
             w.has_old = 0;
         }
         if (k % 4 == 0)

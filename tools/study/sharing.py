@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What keeping winners saves: a search of `stad tune` with --share 8 against --share 0 and against as many plain matches.
+
+    STAD_DATA=... tools/study/sharing.py [--stad build/stad] [--cost bad] [--disparities 64] [--evals 60] [--rounds 5] [SCENE ...]
+
+Both searches must ask for the same points. Processor seconds of the whole process, pictures read and all, the least of the rounds,
+the two in turn; `matches`: `stad bench` at the scene's size, times the evaluations. `served`: points that differ from one of
+the last eight in uniqueness_ratio and disp12_max_diff alone."""
+import argparse
+import json
+import math
+import os
+import resource
+import subprocess
+import tempfile
+
+from ours import search
+from scenes import sample
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+DATA = os.environ.get("STAD_DATA", "")
+SCENES = ["middlebury2014/Motorcycle"] + [f"middlebury{s}" for s in (
+    "2001/venus 2003/cones 2005/Dolls 2005/Laundry 2005/Moebius 2006/Aloe 2006/Bowling1 2006/Bowling2 2006/Cloth1 2006/Cloth2 "
+    "2006/Lampshade1 2006/Monopoly 2006/Plastic 2006/Rocks2 2006/Wood1 2006/Wood2").split()]
+
+
+def run(command):
+    """Output and processor seconds of a process."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    out = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return out, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+
+def served(cost, trace):
+    """The tool's JSON holds costs; the tuner, told these, asks for the same points again."""
+    told = iter(trace)
+    points, _ = search(cost, "ncg-shared" if cost == "bad" else "ncg", len(trace), sample(), lambda _: round(next(told)[1] * 2**20), seed=0)
+    kept, count = [], 0
+    for (p1, p2, block, _, cap, _), _ in points:
+        sums = (p1, p2, block, cap)
+        count += sums in kept
+        kept = ([k for k in kept if k != sums] + [sums])[-8:]
+    return count
+
+
+def measure(args, place, json_path):
+    folder = os.path.join(DATA, place)
+    truth = os.path.join(folder, "disp.pfm")
+    truth = truth if os.path.exists(truth) else os.path.join(folder, "disp.png")
+    mask = os.path.join(folder, "nonocc.png")
+    command = [args.stad, "tune", os.path.join(folder, "left.png"), os.path.join(folder, "right.png"), "--truth", truth, "--cost", args.cost,
+               "--num-disparities", str(args.disparities), "--max-evals", str(args.evals), "--json", json_path]
+    command += ["--mask", mask] if os.path.exists(mask) else []
+    meta = {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json")))}[place]
+    bench = [args.stad, "bench", "--mode", "sgbm", "--width", str(meta["W"]), "--height", str(meta["H"]), "--num-disparities", str(args.disparities),
+             "--frames", "15"]
+    times, traces, frames = {0: [], 8: []}, {}, []
+    for _ in range(args.rounds):
+        for share in times:
+            times[share].append(run(command + ["--share", str(share)])[1])
+            traces[share] = json.load(open(json_path))["trace"]
+        frames.append(float(run(bench)[0].split(" ms")[0].split()[-1]) / 1000)
+    assert traces[0] == traces[8], "sharing changed the search"
+    without, shared, plain = min(times[0]), min(times[8]), min(frames) * len(traces[0])
+    print(f"| {place.split('/')[-1]} {meta['W']} x {meta['H']} | {len(traces[0])} | {served(args.cost, traces[8])} | {plain:.2f} | {without:.2f} | {shared:.2f} | "
+          f"{shared / without:.2f} | {shared / plain:.2f} |", flush=True)
+    return shared / without, shared / plain
+
+
+def main():
+    a = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    a.add_argument("scenes", nargs="*", default=SCENES)
+    a.add_argument("--stad", default=os.path.join(HERE, "..", "..", "build", "stad"))
+    a.add_argument("--cost", default="bad")
+    a.add_argument("--disparities", type=int, default=64)
+    a.add_argument("--evals", type=int, default=60)
+    a.add_argument("--rounds", type=int, default=5)
+    args = a.parse_args()
+    print("| scene | points | served | matches s | without s | with s | with / without | with / matches |\n|---|---|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as work:
+        ratios = [measure(args, place, os.path.join(work, "tuned.json")) for place in args.scenes]
+    mean = lambda column: math.exp(sum(math.log(r[column]) for r in ratios) / len(ratios))
+    print(f"| geometric mean |  |  |  |  |  | {mean(0):.2f} | {mean(1):.2f} |")
+
+
+if __name__ == "__main__":
+    main()
