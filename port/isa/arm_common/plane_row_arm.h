@@ -3,6 +3,8 @@
  *
  * Inner columns go by whole vectors, the last of which overlaps the one before; borders and narrow rows are left to C. */
 
+#include "../common/edge.h"
+
 /* Where the vector of `lanes` columns that begins at x really begins, so that it ends before the last column. */
 static inline int32_t inner_at(int32_t x, int32_t width, int32_t lanes)
 {
@@ -46,16 +48,6 @@ static inline void put_range(uint8_t *out, vec v, int reverse)
         vec_store_u8(out, v);
 }
 
-/* The three columns at a border by C; `x` of them is wanted. */
-static void range_edge(const uint8_t *three, int32_t x, int32_t to, int32_t width, uint8_t *out)
-{
-    uint8_t edge[9];
-    stad_range_row_c(three, 3, 0, edge);
-    out[to] = edge[x];
-    out[width + to] = edge[3 + x];
-    out[2 * width + to] = edge[6 + x];
-}
-
 void STAD_TIER(stad_range_row)(const uint8_t *plane, int32_t width, int reverse, uint8_t *out)
 {
     if (width < 16 + 2) {
@@ -70,8 +62,8 @@ void STAD_TIER(stad_range_row)(const uint8_t *plane, int32_t width, int reverse,
         put_range(out + width + to, vec_min_u8(here, vec_min_u8(before, after)), reverse);
         put_range(out + 2 * width + to, vec_max_u8(here, vec_max_u8(before, after)), reverse);
     }
-    range_edge(plane, 0, reverse ? width - 1 : 0, width, out);
-    range_edge(plane + width - 3, 2, reverse ? 0 : width - 1, width, out);
+    range_edge(plane, 1, width, out + (reverse ? width - 1 : 0));
+    range_edge(plane + width - 1, -1, width, out + (reverse ? 0 : width - 1));
 }
 
 typedef struct triple {
@@ -93,7 +85,6 @@ static inline vec median_of(vec a, vec b, vec c)
 
 void STAD_TIER(stad_median_row)(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out)
 {
-    int16_t edge[3];
     if (width < 8 + 2) {
         stad_median_row_c(above, row, below, width, out);
         return;
@@ -105,8 +96,6 @@ void STAD_TIER(stad_median_row)(const int16_t *above, const int16_t *row, const 
         const vec low = vec_max(l.low, vec_max(m.low, r.low)), high = vec_min(l.high, vec_min(m.high, r.high));
         vec_store(out + at, median_of(low, median_of(l.mid, m.mid, r.mid), high));
     }
-    stad_median_row_c(above, row, below, 3, edge);
-    out[0] = edge[0];
-    stad_median_row_c(above + width - 3, row + width - 3, below + width - 3, 3, edge);
-    out[width - 1] = edge[2];
+    out[0] = median_edge(above, row, below, 0, 1);
+    out[width - 1] = median_edge(above, row, below, width - 1, -1);
 }

@@ -7,6 +7,7 @@
 
 #include "kernel/kernel.h"
 #include "pair_dsp.h"
+#include "../common/edge.h"
 
 /* Where the group of `lanes` columns that begins at x really begins, so that it ends before the last column. */
 static inline int32_t inner_at(int32_t x, int32_t width, int32_t lanes)
@@ -53,16 +54,6 @@ void stad_prefilter_row_dsp(const uint8_t *above, const uint8_t *row, const uint
     gradient[0] = gradient[width - 1] = intensity[0] = intensity[width - 1] = (uint8_t)(cap & 0xFF);
 }
 
-/* The border column `x` of three, by C. */
-static void range_edge(const uint8_t *three, int32_t x, int32_t to, int32_t width, uint8_t *out)
-{
-    uint8_t edge[9];
-    stad_range_row_c(three, 3, 0, edge);
-    out[to] = edge[x];
-    out[width + to] = edge[3 + x];
-    out[2 * width + to] = edge[6 + x];
-}
-
 PAIR_INLINE pair turned(pair v, int reverse)
 {
     return reverse ? __builtin_bswap32(v) : v;
@@ -91,8 +82,8 @@ void stad_range_row_dsp(const uint8_t *plane, int32_t width, int reverse, uint8_
         ranges(plane, width, 1, out);
     else
         ranges(plane, width, 0, out);
-    range_edge(plane, 0, reverse ? width - 1 : 0, width, out);
-    range_edge(plane + width - 3, 2, reverse ? 0 : width - 1, width, out);
+    range_edge(plane, 1, width, out + (reverse ? width - 1 : 0));
+    range_edge(plane + width - 1, -1, width, out + (reverse ? 0 : width - 1));
 }
 
 typedef struct triple {
@@ -114,7 +105,6 @@ PAIR_INLINE pair median_of(pair a, pair b, pair c)
 
 void stad_median_row_dsp(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out)
 {
-    int16_t edge[3];
     if (width < 2 + 2) {
         stad_median_row_c(above, row, below, width, out);
         return;
@@ -127,8 +117,6 @@ void stad_median_row_dsp(const int16_t *above, const int16_t *row, const int16_t
         const pair high = pair_min_i16(l.high, pair_min_i16(m.high, r.high));
         pair_store(out + at, median_of(low, median_of(l.mid, m.mid, r.mid), high));
     }
-    stad_median_row_c(above, row, below, 3, edge);
-    out[0] = edge[0];
-    stad_median_row_c(above + width - 3, row + width - 3, below + width - 3, 3, edge);
-    out[width - 1] = edge[2];
+    out[0] = median_edge(above, row, below, 0, 1);
+    out[width - 1] = median_edge(above, row, below, width - 1, -1);
 }

@@ -9,18 +9,29 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* A left sample of a plane and the right row from the column that disparity 0 meets; lows and highs a width further each. */
+/* A left sample of a plane, lows and highs a width further each; values, lows and highs of the right row from the column
+ * that disparity `at` meets. */
 typedef struct plane_pair {
-    const uint8_t *left, *right;
+    const uint8_t *left, *right, *right_low, *right_high;
     ptrdiff_t width;
 } plane_pair;
 
-INLINE plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_t x)
+INLINE plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_t x, size_t at)
 {
     const ptrdiff_t width = job->width;
-    plane_pair p = {job->left + plane * 3 * width + x,
-                    job->right + plane * 3 * width + (width - 1 - x + job->min_disparity), width};
+    const uint8_t *right = job->right + plane * 3 * width + (width - 1 - x + job->min_disparity) + at;
+    const plane_pair p = {job->left + plane * 3 * width + x, right, right + width, right + 2 * width, width};
     return p;
+}
+
+/* To the next column. Each address in a register of its own, or clang adds `at` at every load. */
+INLINE void plane_next(plane_pair *p)
+{
+    p->left++;
+    p->right--;
+    p->right_low--;
+    p->right_high--;
+    __asm__("" : "+r"(p->right), "+r"(p->right_low), "+r"(p->right_high));
 }
 
 /* max(u - v, 0). */
@@ -29,11 +40,11 @@ INLINE vuint8m2_t floor_below(uint8_t u, vuint8m2_t v, size_t vl)
     return __riscv_vsub_vv_u8m2(__riscv_vmaxu_vx_u8m2(v, u, vl), v, vl);
 }
 
-INLINE vuint8m2_t distance(const plane_pair *p, size_t at, size_t vl)
+INLINE vuint8m2_t distance(const plane_pair *p, size_t vl)
 {
-    const uint8_t *right = p->right + at, here = p->left[0], here_low = p->left[p->width], here_high = p->left[2 * p->width];
-    const vuint8m2_t value = __riscv_vle8_v_u8m2(right, vl), low = __riscv_vle8_v_u8m2(right + p->width, vl);
-    const vuint8m2_t high = __riscv_vle8_v_u8m2(right + 2 * p->width, vl);
+    const uint8_t here = p->left[0], here_low = p->left[p->width], here_high = p->left[2 * p->width];
+    const vuint8m2_t value = __riscv_vle8_v_u8m2(p->right, vl), low = __riscv_vle8_v_u8m2(p->right_low, vl);
+    const vuint8m2_t high = __riscv_vle8_v_u8m2(p->right_high, vl);
     const vuint8m2_t to_right = __riscv_vor_vv_u8m2(floor_below(here, high, vl), __riscv_vssubu_vx_u8m2(low, here, vl), vl);
     const vuint8m2_t to_left =
         __riscv_vor_vv_u8m2(__riscv_vssubu_vx_u8m2(value, here_high, vl), floor_below(here_low, value, vl), vl);
@@ -43,15 +54,13 @@ INLINE vuint8m2_t distance(const plane_pair *p, size_t at, size_t vl)
 /* A strip of the whole run, from disparity `at` on. */
 INLINE void run_strip(const stad_cost_job *job, size_t at, size_t vl, uint8_t *cost)
 {
-    plane_pair gradient = pair_at(job, 0, job->x), intensity = pair_at(job, 1, job->x);
+    plane_pair gradient = pair_at(job, 0, job->x, at), intensity = pair_at(job, 1, job->x, at);
     const ptrdiff_t n = job->disparities;
     for (int32_t i = job->count; i > 0; i--, cost += n) {
-        const vuint8m2_t quarter = __riscv_vsrl_vx_u8m2(distance(&intensity, at, vl), 2, vl);
-        __riscv_vse8_v_u8m2(cost, __riscv_vadd_vv_u8m2(distance(&gradient, at, vl), quarter, vl), vl);
-        gradient.left++;
-        gradient.right--;
-        intensity.left++;
-        intensity.right--;
+        const vuint8m2_t quarter = __riscv_vsrl_vx_u8m2(distance(&intensity, vl), 2, vl);
+        __riscv_vse8_v_u8m2(cost, __riscv_vadd_vv_u8m2(distance(&gradient, vl), quarter, vl), vl);
+        plane_next(&gradient);
+        plane_next(&intensity);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <riscv_vector.h>
 
 #include "kernel/kernel.h"
+#include "../common/edge.h"
 
 #define INLINE static inline __attribute__((always_inline))
 
@@ -35,16 +36,6 @@ void stad_prefilter_row_rvv(const uint8_t *above, const uint8_t *row, const uint
     gradient[0] = gradient[width - 1] = intensity[0] = intensity[width - 1] = (uint8_t)(cap & 0xFF);
 }
 
-/* The border column `x` of three, by C. */
-static void range_edge(const uint8_t *three, int32_t x, int32_t to, ptrdiff_t width, uint8_t *out)
-{
-    uint8_t edge[9];
-    stad_range_row_c(three, 3, 0, edge);
-    out[to] = edge[x];
-    out[width + to] = edge[3 + x];
-    out[2 * width + to] = edge[6 + x];
-}
-
 /* Stores a strip forwards, or backwards from its end. */
 INLINE void put(uint8_t *to, vuint8m4_t v, int reverse, size_t vl)
 {
@@ -71,8 +62,8 @@ void stad_range_row_rvv(const uint8_t *plane, int32_t width, int reverse, uint8_
         put(to + 2 * (ptrdiff_t)width, __riscv_vmaxu_vv_u8m4(here, __riscv_vmaxu_vv_u8m4(before, after, vl), vl), reverse,
             vl);
     }
-    range_edge(plane, 0, reverse ? width - 1 : 0, width, out);
-    range_edge(plane + width - 3, 2, reverse ? 0 : width - 1, width, out);
+    range_edge(plane, 1, width, out + (reverse ? width - 1 : 0));
+    range_edge(plane + width - 1, -1, width, out + (reverse ? 0 : width - 1));
 }
 
 #define MIN(a, b) __riscv_vmin_vv_i16m2(a, b, vl)
@@ -92,7 +83,6 @@ INLINE vint16m2_t median_of(vint16m2_t a, vint16m2_t b, vint16m2_t c, size_t vl)
 
 void stad_median_row_rvv(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out)
 {
-    int16_t edge[3];
     if (width < 3) {
         stad_median_row_c(above, row, below, width, out);
         return;
@@ -105,8 +95,6 @@ void stad_median_row_rvv(const int16_t *above, const int16_t *row, const int16_t
         const vint16m2_t low = MAX(left_low, MAX(here_low, right_low)), high = MIN(left_high, MIN(here_high, right_high));
         __riscv_vse16_v_i16m2(out + x, median_of(low, median_of(left_mid, here_mid, right_mid, vl), high, vl), vl);
     }
-    stad_median_row_c(above, row, below, 3, edge);
-    out[0] = edge[0];
-    stad_median_row_c(above + width - 3, row + width - 3, below + width - 3, 3, edge);
-    out[width - 1] = edge[2];
+    out[0] = median_edge(above, row, below, 0, 1);
+    out[width - 1] = median_edge(above, row, below, width - 1, -1);
 }
