@@ -21,6 +21,8 @@ int32_t stad_check_row_c(const stad_check_job *job)
 {
     const int16_t none = narrow_i16((job->min_disparity - 1) * 16);
     int32_t rejected = 0;
+    /*@ loop invariant job->x0 <= x && (x <= job->x1 || x == job->x0) && 0 <= rejected <= x - job->x0;
+        loop assigns x, rejected, job->disp[job->x0 .. job->x1 - 1]; loop variant job->x1 - x; */
     for (int32_t x = job->x0; x < job->x1; x++) {
         const int32_t v = job->disp[x];
         if (v == none)

@@ -8,6 +8,8 @@ static inline void gradient_row(const uint8_t *restrict above, const uint8_t *re
                                 int32_t width, int32_t step, int32_t cap, uint8_t *restrict gradient)
 {
     gradient[0] = gradient[width - 1] = (uint8_t)(cap & 0xFF);
+    /*@ loop invariant 1 <= x && (x < width || x == 1);
+        loop assigns x, gradient[0 .. width - 1]; loop variant width - x; */
     for (int32_t x = 1; x < width - 1; x++) {
         const int32_t left = (x - 1) * step, right = (x + 1) * step;
         const int32_t g = 2 * (row[right] - row[left]) + above[right] - above[left] + below[right] - below[left];
@@ -18,6 +20,8 @@ static inline void gradient_row(const uint8_t *restrict above, const uint8_t *re
 static void intensity_row(const uint8_t *restrict row, int32_t width, int32_t step, int32_t cap, uint8_t *restrict intensity)
 {
     intensity[0] = intensity[width - 1] = (uint8_t)(cap & 0xFF); /* not the pixels: SPEC 2, a quirk that must be kept */
+    /*@ loop invariant 1 <= x && (x < width || x == 1);
+        loop assigns x, intensity[0 .. width - 1]; loop variant width - x; */
     for (int32_t x = 1; x < width - 1; x++)
         intensity[x] = row[x * step];
 }
@@ -26,6 +30,7 @@ static void intensity_row(const uint8_t *restrict row, int32_t width, int32_t st
 void stad_prefilter_row_c(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
                           int32_t cap, uint8_t *planes)
 {
+    /*@ loop invariant 0 <= c <= channels; loop assigns c, planes[0 .. 2 * channels * width - 1]; loop variant channels - c; */
     for (int32_t c = 0; c < channels; c++) {
         uint8_t *gradient = planes + (ptrdiff_t)c * width;
         if (channels == 1)

@@ -17,6 +17,8 @@ static inline void put(const uint8_t *at, int32_t before, int32_t after, uint8_t
 static void inside(const uint8_t *restrict plane, int32_t width, uint8_t *restrict value, uint8_t *restrict low,
                    uint8_t *restrict high)
 {
+    /*@ loop invariant 1 <= x && (x < width || x == 1);
+        loop assigns x, value[0 .. width - 1], low[0 .. width - 1], high[0 .. width - 1]; loop variant width - x; */
     for (int32_t x = 1; x < width - 1; x++)
         put(plane + x, -1, 1, value + x, low + x, high + x);
 }
@@ -24,6 +26,8 @@ static void inside(const uint8_t *restrict plane, int32_t width, uint8_t *restri
 static void inside_reverse(const uint8_t *restrict plane, int32_t width, uint8_t *restrict value, uint8_t *restrict low,
                            uint8_t *restrict high)
 {
+    /*@ loop invariant 1 <= x && (x < width || x == 1);
+        loop assigns x, value[0 .. width - 1], low[0 .. width - 1], high[0 .. width - 1]; loop variant width - x; */
     for (int32_t x = 1; x < width - 1; x++)
         put(plane + (width - 1 - x), -1, 1, value + x, low + x, high + x);
 }

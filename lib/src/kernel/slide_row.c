@@ -13,12 +13,16 @@ static inline const int16_t *column(const stad_slide_job *job, int32_t x)
 
 static void add_column(int16_t *restrict block, const int16_t *restrict sum, int32_t n)
 {
+    /*@ loop invariant 0 <= d <= n && \forall integer k; d <= k < n ==> block[k] == \at(block[k], LoopEntry);
+        loop assigns d, block[0 .. n - 1]; loop variant n - d; */
     for (int32_t d = 0; d < n; d++)
         block[d] = narrow_i16(block[d] + sum[d]);
 }
 
 static void move_column(int16_t *restrict to, const int16_t *from, const int16_t *in, const int16_t *out, int32_t n)
 {
+    /*@ loop invariant 0 <= d <= n && \forall integer k; d <= k < n ==> to[k] == \at(to[k], LoopEntry);
+        loop assigns d, to[0 .. n - 1]; loop variant n - d; */
     for (int32_t d = 0; d < n; d++)
         to[d] = narrow_i16(from[d] + (in[d] - out[d]));
 }
