@@ -234,8 +234,6 @@ static void test_tune_bad_config_is_refused_by_name(void)
     refused("ladder_count");
     config.free_mask = 64;
     refused("free_mask");
-    config.cheap_mask = 64;
-    refused("cheap_mask");
 }
 
 static void test_tune_one_point_box_ends(void)

@@ -3,20 +3,27 @@
 """What keeping winners saves: a search of `stad tune` with --share 8 against --share 0 and against as many plain matches.
 
     STAD_DATA=... tools/study/sharing.py [--stad build/stad] [--cost bad] [--disparities 64] [--evals 60] [--rounds 5] [SCENE ...]
+    STAD_DATA=... tools/study/sharing.py --matches [--cost bad]
 
 Both searches must ask for the same points. Processor seconds of the whole process, pictures read and all, the least of the rounds,
 the two in turn; `matches`: `stad bench` at the scene's size, times the evaluations. `served`: points that differ from one of
-the last eight in uniqueness_ratio and disp12_max_diff alone."""
+the last eight in uniqueness_ratio and disp12_max_diff alone.
+
+--matches: what settling costs. ncg with and without, 150 evaluations on every scene at its own size: medians of the evaluations, and
+of the matches that these need, until within 2 % of the better of the two; mean distance to it after 60 evaluations, 40 matches
+and at the end."""
 import argparse
+import itertools
 import json
 import math
 import os
 import resource
+import statistics
 import subprocess
 import tempfile
 
 from ours import search
-from scenes import sample
+from scenes import Scene, sample, split
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.environ.get("STAD_DATA", "")
@@ -33,16 +40,42 @@ def run(command):
     return out, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
 
 
+def matched(points):
+    """For each point whether it needs a match of its own."""
+    kept, out = [], []
+    for (p1, p2, block, _, cap, _), _ in points:
+        sums = (p1, p2, block, cap)
+        out.append(sums not in kept)
+        kept = ([k for k in kept if k != sums] + [sums])[-8:]
+    return out
+
+
 def served(cost, trace):
     """The tool's JSON holds costs; the tuner, told these, asks for the same points again."""
     told = iter(trace)
     points, _ = search(cost, "ncg-shared" if cost == "bad" else "ncg", len(trace), sample(), lambda _: round(next(told)[1] * 2**20), seed=0)
-    kept, count = [], 0
-    for (p1, p2, block, _, cap, _), _ in points:
-        sums = (p1, p2, block, cap)
-        count += sums in kept
-        kept = ([k for k in kept if k != sums] + [sums])[-8:]
-    return count
+    return matched(points).count(False)
+
+
+def settling(cost):
+    print("| scenes | method | evaluations to 2 % | matches to 2 % | gap at 60 evaluations % | at 40 matches % | at 150 evaluations % |\n|---|---|---|---|---|---|---|")
+    for family in ("middlebury", "driving"):
+        for half in ("design", "report"):
+            rows = {"ncg": [], "ncg-shared": []}
+            for place in split(half, family):
+                scene = Scene(place)
+                runs = {m: search(cost, m, 150, sample(), lambda x: scene.cost(x, cost))[0] for m in rows}
+                best = min(c for points in runs.values() for _, c in points)
+                for m, points in runs.items():
+                    need = list(itertools.accumulate(matched(points)))
+                    reached = next((i for i, (_, c) in enumerate(points) if c <= 1.02 * best), None)
+                    gap = lambda some: 100 * (min(c for _, c in some) / best - 1)
+                    rows[m].append((math.inf if reached is None else reached + 1, math.inf if reached is None else need[reached], gap(points[:60]),
+                                    gap([p for p, n in zip(points, need) if n <= 40]), gap(points)))
+            for m, of_scenes in rows.items():
+                columns = list(zip(*of_scenes))
+                print(f"| {family}, {half} | {m} | {statistics.median(columns[0]):g} | {statistics.median(columns[1]):g} | "
+                      + " | ".join(f"{statistics.mean(c):.2f}" for c in columns[2:]) + " |", flush=True)
 
 
 def measure(args, place, json_path):
@@ -77,7 +110,10 @@ def main():
     a.add_argument("--disparities", type=int, default=64)
     a.add_argument("--evals", type=int, default=60)
     a.add_argument("--rounds", type=int, default=5)
+    a.add_argument("--matches", action="store_true")
     args = a.parse_args()
+    if args.matches:
+        return settling(args.cost)
     print("| scene | points | served | matches s | without s | with s | with / without | with / matches |\n|---|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as work:
         ratios = [measure(args, place, os.path.join(work, "tuned.json")) for place in args.scenes]

@@ -65,8 +65,6 @@ int stad_tune_config_check(const stad_tune_config *c, const char **culprit)
         return refuse(culprit, "ladder_count");
     if (c->free_mask >> STAD_TUNE_DIMS != 0)
         return refuse(culprit, "free_mask");
-    if (c->cheap_mask >> STAD_TUNE_DIMS != 0)
-        return refuse(culprit, "cheap_mask");
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
         if (!axis_sound(&c->axis[i]))
             return refuse(culprit, names[i]);

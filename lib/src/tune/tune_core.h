@@ -32,6 +32,9 @@ int stad_tune_look(stad_tune *t, const stad_point *x, int32_t *cost);
 int stad_tune_is_free(const stad_tune_config *c, int i);
 int stad_tune_is_continuous(const stad_tune_config *c, int i);
 
+/* Both: an axis that sweeps and steps walk. */
+int stad_tune_is_swept(const stad_tune *t, int i);
+
 /* Variables to the nearest allowed lattice point and back. */
 void stad_tune_to_point(const stad_tune *t, const tune_vars *v, stad_point *x);
 void stad_tune_to_vars(const stad_tune_config *c, const stad_point *x, tune_vars *v);

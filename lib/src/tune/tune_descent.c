@@ -21,45 +21,29 @@ static const uint8_t sweep_order[STAD_TUNE_DIMS] = {
 
 static int is_cheap(const stad_tune *t, int i)
 {
-    return t->config.cheap_mask >> i & 1;
+    return t->config.free_mask & t->config.cheap_mask & 1 << i;
 }
 
-static int is_swept(const stad_tune *t, int i)
+/* Probes the cheap axes around here. */
+static int probe_cheap(stad_tune *t, tune_walk *w)
 {
-    return stad_tune_is_free(&t->config, i) && stad_tune_is_continuous(&t->config, i);
-}
-
-static int sweep_cheap(stad_tune *t, tune_walk *w)
-{
-    for (int k = 0; k < STAD_TUNE_DIMS; k++) {
-        const int i = sweep_order[k];
-        if (is_swept(t, i) && is_cheap(t, i) && !stad_tune_sweep_axis(t, w, i))
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        int moved;
+        if (is_cheap(t, i) &&
+            !(stad_tune_is_continuous(&t->config, i) ? stad_tune_sweep_axis(t, w, i) : stad_tune_poll(t, w, i, &moved)))
             return 0;
     }
     return 1;
 }
 
-static int poll_cheap(stad_tune *t, tune_walk *w)
-{
-    int moved;
-    for (int i = 0; TUNE_POLLS && i < STAD_TUNE_DIMS; i++) {
-        if (is_cheap(t, i) && stad_tune_is_free(&t->config, i) && !stad_tune_is_continuous(&t->config, i) &&
-            !stad_tune_poll(t, w, i, &moved))
-            return 0;
-    }
-    return 1;
-}
-
-/* Probes the cheap axes around here, at the distance of now and at the least. */
+/* The same at the distance of now and at the least. */
 static int settle(stad_tune *t, tune_walk *w)
 {
     const int32_t step = w->step;
-    if (t->config.cheap_mask == 0)
-        return 1;
-    if (!poll_cheap(t, w) || !sweep_cheap(t, w))
+    if (!probe_cheap(t, w))
         return 0;
     w->step = REACH_LEAST;
-    if (!sweep_cheap(t, w))
+    if (!probe_cheap(t, w))
         return 0;
     w->step = step;
     return 1;
@@ -67,16 +51,14 @@ static int settle(stad_tune *t, tune_walk *w)
 
 static int sweep_all(stad_tune *t, tune_walk *w)
 {
-    if (!sweep_cheap(t, w))
+    if (!probe_cheap(t, w))
         return 0;
     for (int k = 0; k < STAD_TUNE_DIMS; k++) {
         const int i = sweep_order[k];
         const int32_t before = w->cost;
-        if (!is_swept(t, i) || is_cheap(t, i))
+        if (is_cheap(t, i) || !stad_tune_is_swept(t, i))
             continue;
-        if (!stad_tune_sweep_axis(t, w, i))
-            return 0;
-        if (w->cost < before && !settle(t, w))
+        if (!stad_tune_sweep_axis(t, w, i) || (w->cost < before && !settle(t, w)))
             return 0;
     }
     return 1;
@@ -111,22 +93,20 @@ static void forget_curve(const stad_tune *t, tune_walk *w)
 static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reach)
 {
     tune_walk w;
-    int32_t polled_at = -1;
+    int32_t polled_at = cost;
     int moved, leapt;
     stad_tune_walk_from(t, &w, x, cost, reach);
     for (int k = 1; k <= ITERATIONS; k++) {
         const int32_t before = w.cost;
         const tune_vars from = w.at;
         t->counts.iterations++;
-        if (polled_at >= 0 && w.cost < polled_at - polled_at / 33) {
+        if (w.cost < polled_at - polled_at / 33) {
             if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
                 return 0;
             if (moved)
                 forget_curve(t, &w);
             polled_at = w.cost;
         }
-        if (polled_at < 0)
-            polled_at = w.cost;
         if (2 * w.step <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
             return 0;
         if (!sweep_all(t, &w) || (TUNE_JOINT && !stad_tune_joint_step(t, &w)))
@@ -135,7 +115,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
             return 0;
         if ((k == 1 || w.cost < before) && !settle(t, &w))
             return 0;
-        if ((int64_t)before - w.cost < before / 250) {
+        if (before - w.cost < before / 250) { /* neither is negative */
             if (w.step <= REACH_LEAST) {
                 if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
                     return 0;
@@ -151,7 +131,7 @@ static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reac
             w.step = w.step / 2 > REACH_LEAST ? w.step / 2 : REACH_LEAST;
             w.has_old = 0;
         }
-        if (k % 4 == 0)
+        if ((k & 3) == 0)
             w.has_old = 0;
     }
     return 1;

@@ -19,6 +19,11 @@ int stad_tune_is_continuous(const stad_tune_config *c, int i)
     return c->axis[i].scale <= STAD_TUNE_AREA;
 }
 
+int stad_tune_is_swept(const stad_tune *t, int i)
+{
+    return stad_tune_is_free(&t->config, i) && stad_tune_is_continuous(&t->config, i);
+}
+
 /* log2(block^1.5), Q16. */
 static int32_t area_q16(int32_t block)
 {

@@ -23,11 +23,6 @@ static int32_t magnitude(int32_t v)
     return v < 0 ? -v : v;
 }
 
-static int in_step(const stad_tune *t, int i)
-{
-    return stad_tune_is_free(&t->config, i) && stad_tune_is_continuous(&t->config, i);
-}
-
 /* The curvature, at least what would send the point two probing distances away, and never next to nothing. */
 static int32_t scale_of(const tune_walk *w, int i)
 {
@@ -48,7 +43,7 @@ static int64_t beta_q12(const stad_tune *t, const tune_walk *w, const direction 
     if (!w->has_old || !TUNE_BETA || w->old_fall <= 0)
         return 0;
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        above -= in_step(t, i) ? (int64_t)d->move[i] * ((int64_t)w->slope[i] - w->old_slope[i]) : 0;
+        above -= stad_tune_is_swept(t, i) ? (int64_t)d->move[i] * ((int64_t)w->slope[i] - w->old_slope[i]) : 0;
     if (above <= 0)
         return 0;
     const int64_t beta = stad_div_i64(above * BETA_ONE, w->old_fall);
@@ -59,7 +54,7 @@ static int64_t along(const stad_tune *t, const tune_walk *w, const int32_t *move
 {
     int64_t sum = 0;
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        sum += in_step(t, i) ? (int64_t)move[i] * w->slope[i] : 0;
+        sum += stad_tune_is_swept(t, i) ? (int64_t)move[i] * w->slope[i] : 0;
     return sum;
 }
 
@@ -68,7 +63,7 @@ static int32_t hold(const stad_tune *t, int32_t *move, int64_t most)
 {
     int32_t longest = 0;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        if (in_step(t, i) && magnitude(move[i]) > longest)
+        if (stad_tune_is_swept(t, i) && magnitude(move[i]) > longest)
             longest = magnitude(move[i]);
     }
     if (longest <= most)
@@ -82,7 +77,7 @@ static void choose_direction(const stad_tune *t, const tune_walk *w, direction *
 {
     memset(d, 0, sizeof *d);
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        if (in_step(t, i))
+        if (stad_tune_is_swept(t, i))
             d->move[i] = -stad_tune_div_q16(w->slope[i], scale_of(w, i));
     }
     d->fall = -along(t, w, d->move);
@@ -100,7 +95,7 @@ static void choose_direction(const stad_tune *t, const tune_walk *w, direction *
 typedef struct trial {
     stad_point x;
     int32_t cost;
-    int64_t fall; /* slope . way really taken: what the gradient promises, Q36 */
+    int64_t fall; /* slope . way really taken: what the gradient promises, Q20 */
 } trial;
 
 static int try_step(stad_tune *t, const tune_walk *w, const direction *d, int32_t a_q12, trial *out)
@@ -113,18 +108,17 @@ static int try_step(stad_tune *t, const tune_walk *w, const direction *d, int32_
     stad_tune_to_vars(&t->config, &out->x, &v);
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
         way[i] = v.v[i] - w->at.v[i];
-    out->fall = along(t, w, way);
+    out->fall = along(t, w, way) / 65536;
     return stad_tune_same(&out->x, &w->x) ? (out->cost = w->cost, 1) : stad_tune_look(t, &out->x, &out->cost);
 }
 
 /* The floor of the parabola through f with the promised slope and the trial's cost, Q12. */
 static int32_t next_length(const tune_walk *w, const trial *r, int32_t a_q12, int success)
 {
-    const int64_t fall = r->fall / 65536; /* Q20 */
-    const int64_t bend = stad_tune_rise(w->cost, r->cost) - fall;
+    const int64_t bend = stad_tune_rise(w->cost, r->cost) - r->fall;
     if (bend <= 0)
         return success ? 2 * a_q12 : a_q12 / 2;
-    const int64_t a = stad_div_i64(-fall * a_q12, 2 * bend);
+    const int64_t a = stad_div_i64(-r->fall * a_q12, 2 * bend);
     return a < 0 ? 0 : a > 4 * (int64_t)a_q12 ? 4 * a_q12 : (int32_t)a;
 }
 
@@ -137,7 +131,7 @@ static int line_search(stad_tune *t, tune_walk *w, const direction *d, int32_t l
         trial r;
         if (!try_step(t, w, d, a, &r))
             return 0;
-        const int64_t wanted = stad_div_i64(r.fall / 65536, 10);
+        const int64_t wanted = stad_div_i64(r.fall, 10);
         const int success = r.cost < w->cost && stad_tune_rise(w->cost, r.cost) <= wanted;
         int32_t next = next_length(w, &r, a, success);
         const int leads = r.cost < best.cost;
@@ -180,7 +174,7 @@ int stad_tune_follow(stad_tune *t, tune_walk *w, const tune_vars *from)
     int32_t move[STAD_TUNE_DIMS];
     int axes = 0;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        move[i] = in_step(t, i) ? w->at.v[i] - from->v[i] : 0;
+        move[i] = stad_tune_is_swept(t, i) ? w->at.v[i] - from->v[i] : 0;
         axes += move[i] != 0;
     }
     for (int k = 0; axes >= 2 && k < MAX_FOLLOW; k++) {

@@ -70,25 +70,24 @@ static int probe_at(stad_tune *t, const tune_walk *w, int i, int32_t distance, p
 }
 
 /* How far to go on after a first probe at `r` was better: to the parabola's floor, or as far again. */
-static int32_t go_on(const tune_walk *w, int i, int32_t r, int32_t cost)
+static int32_t go_on(const tune_walk *w, int i, int32_t r, int32_t secant)
 {
     const int32_t curve = w->curve[i];
     if (curve <= 0)
         return 2 * r;
-    const int32_t secant = stad_tune_div_q16(stad_tune_rise(w->cost, cost), r);
     const int64_t slope = secant - (int64_t)curve * r / (2 * 65536);
     const int64_t floor = stad_div_i64(-slope * 65536, curve);
     return floor < 0 ? 0 : floor > 3 * (int64_t)r ? 3 * r : (int32_t)floor;
 }
 
 /* Does the curvature known from before say that the other side cannot be better? */
-static int other_side_useless(const tune_walk *w, int i, int32_t r, int32_t cost)
+static int other_side_useless(const tune_walk *w, int i, int32_t r, int32_t secant)
 {
     const int32_t curve = w->curve[i];
     if (curve <= 0 || !w->has_old)
         return 0;
     const int64_t bend = (int64_t)curve * r / 65536; /* the slope's change over r */
-    const int64_t slope = stad_tune_div_q16(stad_tune_rise(w->cost, cost), r) - bend / 2;
+    const int64_t slope = secant - bend / 2;
     return slope * 100 <= 35 * bend;
 }
 
@@ -96,15 +95,13 @@ static int other_side_useless(const tune_walk *w, int i, int32_t r, int32_t cost
 static void learn(tune_walk *w, int i, int32_t entry_cost, const probe *a, const probe *b, int32_t best_q16)
 {
     const int32_t d1 = stad_tune_div_q16(stad_tune_rise(entry_cost, a->cost), a->from_q16);
-    int64_t slope;
+    int32_t curve = w->curve[i];
     if (b && b->from_q16 != a->from_q16) {
         const int32_t d2 = stad_tune_div_q16(stad_tune_rise(entry_cost, b->cost), b->from_q16);
-        const int32_t curve = stad_tune_div_q16(2 * ((int64_t)d2 - d1), (int64_t)b->from_q16 - a->from_q16);
-        slope = d1 + (int64_t)curve * (2 * (int64_t)best_q16 - a->from_q16) / (2 * 65536);
+        curve = stad_tune_div_q16(2 * ((int64_t)d2 - d1), (int64_t)b->from_q16 - a->from_q16);
         w->curve[i] = curve > 0 ? curve : 0;
-    } else {
-        slope = d1 + (int64_t)w->curve[i] * (2 * (int64_t)best_q16 - a->from_q16) / (2 * 65536);
     }
+    const int64_t slope = d1 + (int64_t)curve * (2 * (int64_t)best_q16 - a->from_q16) / (2 * 65536);
     w->slope[i] = slope > WALL ? WALL : slope < -WALL ? -WALL : (int32_t)slope;
 }
 
@@ -112,16 +109,16 @@ static void learn(tune_walk *w, int i, int32_t entry_cost, const probe *a, const
 static int second_probe(stad_tune *t, const tune_walk *w, int i, const probe *a, probe *b, int *moved)
 {
     const int s = a->from_q16 < 0 ? -1 : 1;
-    const int32_t r = s * a->from_q16;
+    const int32_t r = s * a->from_q16, secant = stad_tune_div_q16(stad_tune_rise(w->cost, a->cost), r);
     *moved = 0;
     if (a->cost < w->cost) {
-        int32_t far = go_on(w, i, r, a->cost);
+        int32_t far = go_on(w, i, r, secant);
         const int32_t room = stad_tune_room(t, &w->at, i, s);
         if (4 * (int64_t)far > 6 * (int64_t)r && far > room)
             far = room;
         return 4 * (int64_t)far <= 5 * (int64_t)r || probe_at(t, w, i, s * far, b, moved);
     }
-    if (other_side_useless(w, i, r, a->cost))
+    if (other_side_useless(w, i, r, secant))
         return 1;
     int32_t room = stad_tune_room(t, &w->at, i, -s);
     room = room < w->step ? room : w->step;
@@ -158,6 +155,20 @@ int stad_tune_sweep_axis(stad_tune *t, tune_walk *w, int i)
     return 1;
 }
 
+/* Looks at the point nearest to v and goes there if it is better. 0: its cost is wanted. */
+static int try_there(stad_tune *t, tune_walk *w, const tune_vars *v, int *moved)
+{
+    stad_point x;
+    int32_t cost;
+    stad_tune_to_point(t, v, &x);
+    if (!stad_tune_look(t, &x, &cost))
+        return 0;
+    *moved = cost < w->cost;
+    if (*moved)
+        stad_tune_walk_move(t, w, &x, cost);
+    return 1;
+}
+
 static int neighbour(const stad_tune_axis *a, int value, int side)
 {
     if (a->scale == STAD_TUNE_ODD)
@@ -172,20 +183,14 @@ int stad_tune_poll(stad_tune *t, tune_walk *w, int i, int *moved)
     for (int k = 0; k < 2 && !*moved; k++) {
         const int s = k == 0 ? w->side[i] : -w->side[i];
         const int next = neighbour(a, w->x.v[i], s);
-        stad_point x;
-        int32_t cost;
         tune_vars v = w->at;
         if (next < a->lo || next > a->hi)
             continue;
         v.v[i] = next;
-        stad_tune_to_point(t, &v, &x);
-        if (!stad_tune_look(t, &x, &cost))
+        if (!try_there(t, w, &v, moved))
             return 0;
-        if (cost < w->cost) {
-            stad_tune_walk_move(t, w, &x, cost);
+        if (*moved)
             w->side[i] = (int8_t)s;
-            *moved = 1;
-        }
     }
     return 1;
 }
@@ -198,16 +203,14 @@ int stad_tune_leap(stad_tune *t, tune_walk *w, int *moved)
         if (!stad_tune_is_free(&t->config, i) || a->scale != STAD_TUNE_LOG2)
             continue;
         for (int k = 0; k < 2; k++) {
-            stad_point x, end = w->x;
-            int32_t cost;
+            stad_point end = w->x;
             tune_vars v;
+            int better;
             end.v[i] = k == 0 ? a->lo : a->hi;
             stad_tune_to_vars(&t->config, &end, &v);
-            stad_tune_to_point(t, &v, &x);
-            if (!stad_tune_look(t, &x, &cost))
+            if (!try_there(t, w, &v, &better))
                 return 0;
-            if (cost < w->cost) {
-                stad_tune_walk_move(t, w, &x, cost);
+            if (better) {
                 w->curve[i] = 0;
                 *moved = 1;
             }
