@@ -165,6 +165,7 @@ int stad_mark_decode(const mark_work *w, const mark_quad *quad, stad_mark *mark,
     uint64_t word;
     if (!homography_from(quad, &m) || !read_cells(w, &m) || !read_word(w->cells, &word))
         return 0;
+    mark->id = 0;
     mark->hamming = (int16_t)(w->config->max_hamming + 1);
     for (int turn = 0; turn < 4; turn++, word = quarter_turn(word))
         for (int16_t id = 0; id < STAD_MARK_IDS; id++) {

@@ -36,7 +36,8 @@ static int edge_offset_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int
     }
     if (weight < 16 * 16 * 16)
         return 0;
-    *offset = (int32_t)(sum / weight);
+    const int32_t most = 128 * (MARK_MAX_REACH + 2); /* a mean of t_q8 - 128: nothing is cut */
+    *offset = clamp_i32(sat_i32(sum / weight), -most, most);
     return 1;
 }
 
@@ -52,7 +53,7 @@ int stad_mark_edge_line(const mark_work *w, stad_corner a, stad_corner b, int32_
     for (int32_t i = skip; i < count - skip; i++) {
         /* Less than 2^20 * 2^7 = 2^27. */
         const stad_corner p = {a.x_q8 + dx * (2 * i + 1) / (2 * count), a.y_q8 + dy * (2 * i + 1) / (2 * count)};
-        int32_t offset_q8;
+        int32_t offset_q8 = 0;
         if (edge_offset_q8(w, p, uy_q14, -ux_q14, reach, &offset_q8))
             stad_mark_moments_add(&m, p.x_q8 + uy_q14 * offset_q8 / 16384, p.y_q8 - ux_q14 * offset_q8 / 16384);
     }

@@ -22,22 +22,28 @@ void stad_mark_moments_add(mark_moments *m, int32_t x_q8, int32_t y_q8)
     m->yy += y * y;
 }
 
+/* The root rounds down to no less than either side, so nothing is cut here; it says so to the analysis. */
+static int32_t unit_q14(int64_t side, int64_t length)
+{
+    return clamp_i32(sat_i32(side * 16384 / length), -16384, 16384);
+}
+
 int32_t stad_mark_unit_q14(int64_t x, int64_t y, int32_t *ux_q14, int32_t *uy_q14)
 {
-    int shift = 0;
+    int is_long = 0;
     while (x > (1 << 30) || x < -(1 << 30) || y > (1 << 30) || y < -(1 << 30)) {
         x /= 2;
         y /= 2;
-        shift++;
+        is_long = 1;
     }
     const int64_t length = (int64_t)stad_isqrt((uint64_t)(x * x + y * y));
     if (length == 0) {
         *ux_q14 = *uy_q14 = 0;
         return 0;
     }
-    *ux_q14 = (int32_t)(x * 16384 / length);
-    *uy_q14 = (int32_t)(y * 16384 / length);
-    return shift ? INT32_MAX : (int32_t)length;
+    *ux_q14 = unit_q14(x, length);
+    *uy_q14 = unit_q14(y, length);
+    return is_long ? INT32_MAX : sat_i32(length);
 }
 
 int stad_mark_line_fit(const mark_moments *m, mark_line *line)

@@ -125,7 +125,7 @@ int stad_plane_fit_ids(stad_plane *plane, stad_plane_report *report, const stad_
 {
     stad_plane_report numbers = {0, 0, -1};
     choice c = {pairs, n, -1, ids};
-    fitted f;
+    fitted f = {{0, 0, 0}, 0, 0};
     if (report)
         *report = numbers;
     if (n < MIN_MARKS || n > STAD_AFFINE_MAX_POINTS / 4)

@@ -2,6 +2,8 @@
  * planes, masks -> [truth/truth.c] -> truth rows - the list of layers: filling, checking, cropping it. */
 #include "stad/truth.h"
 
+#include <stddef.h>
+
 #include "base/arith.h"
 #include "truth/polygon.h"
 
@@ -61,24 +63,24 @@ static int plane_ok(const stad_plane *plane, const stad_polygon *where)
     return 1;
 }
 
-static int add_layer(stad_truth *t, const stad_polygon *where, stad_truth_layer **layer)
+/* The next layer, not yet counted; NULL when it is refused, and *status says why. */
+static stad_truth_layer *next_layer(stad_truth *t, const stad_polygon *where, int *status)
 {
     const stad_plane none = {0, 0, 0};
-    if (!polygon_ok(t, where))
-        return STAD_E_PARAM;
-    if (t->count >= STAD_TRUTH_LAYERS)
-        return STAD_E_LIMIT;
-    *layer = &t->layer[t->count];
-    (*layer)->where = *where;
-    (*layer)->plane = none;
-    return STAD_OK;
+    *status = !polygon_ok(t, where) ? STAD_E_PARAM : t->count >= STAD_TRUTH_LAYERS ? STAD_E_LIMIT : STAD_OK;
+    if (*status != STAD_OK)
+        return NULL;
+    stad_truth_layer *layer = &t->layer[t->count];
+    layer->where = *where;
+    layer->plane = none;
+    return layer;
 }
 
 int stad_truth_add_plane(stad_truth *t, const stad_plane *plane, const stad_polygon *where)
 {
-    stad_truth_layer *layer;
-    const int status = add_layer(t, where, &layer);
-    if (status < 0)
+    int status;
+    stad_truth_layer *layer = next_layer(t, where, &status);
+    if (!layer)
         return status;
     if (!plane_ok(plane, where))
         return STAD_E_PARAM;
@@ -90,9 +92,9 @@ int stad_truth_add_plane(stad_truth *t, const stad_plane *plane, const stad_poly
 
 int stad_truth_add_mask(stad_truth *t, const stad_polygon *where)
 {
-    stad_truth_layer *layer;
-    const int status = add_layer(t, where, &layer);
-    if (status < 0)
+    int status;
+    stad_truth_layer *layer = next_layer(t, where, &status);
+    if (!layer)
         return status;
     layer->is_mask = 1;
     t->count++;
