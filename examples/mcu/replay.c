@@ -189,6 +189,8 @@ int main(void)
     say_hex(hash);
     say(hash == EXPECT_REPLAY ? " ok\n" : " WRONG\n");
     good &= outcome == STAD_CALIB_ADOPTED && hash == EXPECT_REPLAY;
+    say_dec((int32_t)board_stack_used());
+    say(" bytes of stack\n");
     say(good ? "done\n" : "failed\n");
     return good ? 0 : 1;
 }
