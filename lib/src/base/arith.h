@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * base/arith.h - arithmetic verbs whose names say width and overflow.
  *
- * narrow_*: the value is known to fit (a STAD_CHECKED build asserts it). sat_*: clamps. wrap_*: keeps the low bits. */
+ * narrow_*: the value is known to fit. sat_*: clamps. wrap_*: keeps the low bits. A build with STAD_CHECKED asserts that values
+ * fit, and at the borders of the modules what their headers leave to the caller: pointers, sizes, what was begun. */
 #ifndef STAD_BASE_ARITH_H
 #define STAD_BASE_ARITH_H
 
@@ -26,11 +27,13 @@ static inline int32_t max_i32(int32_t a, int32_t b)
 
 static inline int32_t clamp_i32(int32_t v, int32_t low, int32_t high)
 {
+    STAD_ASSERT(low <= high);
     return v < low ? low : v > high ? high : v;
 }
 
 static inline int32_t abs_i32(int32_t v)
 {
+    STAD_ASSERT(v > INT32_MIN);
     return v < 0 ? -v : v;
 }
 
@@ -102,12 +105,14 @@ static inline int16_t sub_sat_i16(int16_t a, int16_t b)
 /* n, a multiple of 8, in a form that tells the compiler so: a vectorised loop then has no remainder, or one of 8. */
 static inline int32_t whole_8(int32_t n)
 {
+    STAD_ASSERT(n >= 0 && n % 8 == 0);
     return (int32_t)((uint32_t)n & ~(uint32_t)7);
 }
 
 /* v modulo n for n > 0, in [0, n) for negative v too. */
 static inline int32_t mod_i32(int32_t v, int32_t n)
 {
+    STAD_ASSERT(n > 0);
     const int32_t rest = v % n;
     return rest < 0 ? rest + n : rest;
 }

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/bytes.h"
+#include "base/arith.h"
 
 void stad_calib_config_default(stad_calib_config *c, const stad_geometry *geometry, const stad_target *target,
                                const stad_camera *camera)
@@ -67,6 +68,7 @@ static int setup_fits(const stad_calib_config *c, const stad_setup *s)
 
 int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_setup *setup)
 {
+    STAD_ASSERT(c && config && setup);
     if (!config_fits(config) || !setup_fits(config, setup))
         return STAD_E_PARAM;
     memset(c, 0, sizeof *c);
@@ -82,6 +84,7 @@ int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_s
 
 void stad_calib_enter(stad_calib *c, int phase)
 {
+    STAD_ASSERT(phase >= STAD_CALIB_IDLE && phase <= STAD_CALIB_COMPARE);
     c->report.phase = (uint8_t)phase;
     c->step = 0;
     c->vain = 0;
@@ -231,6 +234,7 @@ static void want_match(const stad_calib *c, stad_request *r)
 
 int stad_calib_want(const stad_calib *c, stad_request *r)
 {
+    STAD_ASSERT(c && r && c->config.target); /* initialised */
     memset(r, 0, sizeof *r);
     switch (c->report.phase) {
     case STAD_CALIB_LOOK:

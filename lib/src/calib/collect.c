@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/bytes.h"
+#include "base/arith.h"
 
 #define MARKS 16
 #define LAG   2 /* frames by which one view may be later than the other, unseen */
@@ -374,6 +375,7 @@ static int status_of(int fault)
 int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work,
                      size_t work_bytes)
 {
+    STAD_ASSERT(c && c->config.target);
     stad_request wanted;
     size_t need = stad_calib_frame_bytes(c->config.geometry.width, c->config.geometry.height);
     if (stad_calib_want(c, &wanted) != STAD_WANT_FRAME)

@@ -7,6 +7,7 @@
 #include "calib/calib_parts.h"
 
 #include <string.h>
+#include "base/arith.h"
 
 int stad_calib_truth_row(const stad_calib *c, const stad_request *r, int y, int32_t *truth_q16_row,
                          uint8_t *label_row)
@@ -102,6 +103,7 @@ static int sizes_fit(const stad_geometry *g, const stad_image *image)
 int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e,
                             const stad_image *left, const stad_image *right, void *work, size_t work_bytes)
 {
+    STAD_ASSERT(c && r && e && left && right);
     const stad_geometry *g = &c->config.geometry;
     size_t rows_bytes = STAD_CALIB_ROWS_BYTES(g->width, g->channels);
     if (r->want != STAD_WANT_MATCH || !sizes_fit(g, left) || !sizes_fit(g, right))

@@ -19,6 +19,7 @@ static int disagrees(const stad_check_job *job, int32_t x, int32_t disparity)
 
 int32_t stad_check_row_c(const stad_check_job *job)
 {
+    STAD_ASSERT(job->x0 >= 0 && job->x1 <= job->width);
     const int16_t none = narrow_i16((job->min_disparity - 1) * 16);
     int32_t rejected = 0;
     /*@ loop invariant job->x0 <= x && (x <= job->x1 || x == job->x0) && 0 <= rejected <= x - job->x0;

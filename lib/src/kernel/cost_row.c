@@ -52,6 +52,7 @@ static inline void column_u16(const stad_cost_job *job, int32_t x, int32_t chann
 
 void stad_cost_row_u8_c(const stad_cost_job *job, uint8_t *cost)
 {
+    STAD_ASSERT(job->disparities % 8 == 0 && job->x >= 0 && job->x + job->count <= job->width);
     for (int32_t i = 0; i < job->count; i++, cost += job->disparities) {
         column_u8(job, job->x + i, 0, 0, cost);
         for (int32_t c = 1; c < job->channels; c++)
@@ -61,6 +62,7 @@ void stad_cost_row_u8_c(const stad_cost_job *job, uint8_t *cost)
 
 void stad_cost_row_u16_c(const stad_cost_job *job, uint16_t *cost)
 {
+    STAD_ASSERT(job->disparities % 8 == 0 && job->x >= 0 && job->x + job->count <= job->width);
     for (int32_t i = 0; i < job->count; i++, cost += job->disparities) {
         column_u16(job, job->x + i, 0, 0, cost);
         for (int32_t c = 1; c < job->channels; c++)

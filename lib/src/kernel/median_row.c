@@ -22,6 +22,7 @@ static inline triple sorted(int16_t a, int16_t b, int16_t c)
 
 void stad_median_row_c(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out)
 {
+    STAD_ASSERT(width > 0);
     triple before = sorted(above[0], row[0], below[0]), here = before;
     /*@ loop invariant 0 <= x <= width; loop assigns x, before, here, out[0 .. width - 1]; loop variant width - x; */
     for (int32_t x = 0; x < width; x++) {

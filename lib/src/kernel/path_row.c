@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "kernel/path_step.h"
+#include "base/arith.h"
 
 static void step_one(const int16_t *restrict from, int16_t *restrict to, const int16_t *restrict block, stad_path_step *s)
 {
@@ -87,6 +88,7 @@ static void take_pixel(const stad_path_job *job, const int16_t *block, int16_t *
 
 void stad_path_row_c(const stad_path_job *job, stad_lane *lanes, int32_t lane_count)
 {
+    STAD_ASSERT(job->p1 > 0 && job->p1 < job->p2 && (job->step == 1 || job->step == -1) && lane_count > 0);
     const ptrdiff_t step = (ptrdiff_t)job->step * job->disparities;
     for (int32_t i = 0; i < job->count; i++)
         take_pixel(job, job->block + i * step, job->total ? job->total + i * step : NULL, lanes, lane_count);

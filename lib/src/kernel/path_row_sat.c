@@ -30,6 +30,7 @@ static void step_lane(const stad_path_job *job, stad_lane *lane, const int16_t *
 
 void stad_path_row_sat_c(const stad_path_job *job, stad_lane *lanes, int32_t lane_count)
 {
+    STAD_ASSERT(job->p1 > 0 && job->p1 < job->p2 && (job->step == 1 || job->step == -1) && lane_count > 0);
     const ptrdiff_t step = (ptrdiff_t)job->step * job->disparities;
     for (int32_t i = 0; i < job->count; i++) {
         int16_t *total = job->total ? job->total + i * step : NULL;

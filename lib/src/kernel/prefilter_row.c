@@ -30,6 +30,7 @@ static void intensity_row(const uint8_t *restrict row, int32_t width, int32_t st
 void stad_prefilter_row_c(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
                           int32_t cap, uint8_t *planes)
 {
+    STAD_ASSERT(width > 0 && (channels == 1 || channels == 3) && cap > 0 && cap <= 32767);
     /*@ loop invariant 0 <= c <= channels; loop assigns c, planes[0 .. 2 * channels * width - 1]; loop variant channels - c; */
     for (int32_t c = 0; c < channels; c++) {
         uint8_t *gradient = planes + (ptrdiff_t)c * width;

@@ -36,6 +36,7 @@ static void vote(const stad_select_job *job, int32_t x, const stad_best *best)
 
 void stad_select_row_c(stad_select_job *job)
 {
+    STAD_ASSERT(job->x >= 0 && job->x + job->count <= job->width && job->uniqueness_ratio < 100);
     const stad_select_job j = *job; /* the rows written to might alias job itself */
     int32_t firm = 0, rejected = 0;
     for (int32_t i = j.count - 1; i >= 0; i--) {

@@ -29,6 +29,7 @@ static void move_column(int16_t *restrict to, const int16_t *from, const int16_t
 
 void stad_slide_row_c(const stad_slide_job *job, int16_t *block)
 {
+    STAD_ASSERT(job->disparities % 8 == 0 && job->x >= 0 && job->x + job->count <= job->columns);
     const int32_t n = whole_8(job->disparities), r = job->radius;
     for (int32_t d = 0; d < n; d++)
         block[d] = narrow_i16(job->p2);

@@ -11,6 +11,7 @@ typedef char frame_fits_match[sizeof(stad_frame) <= sizeof(stad_match) ? 1 : -1]
 
 int stad_match_init(stad_match *m, const stad_geometry *g, void *work, size_t work_bytes)
 {
+    STAD_ASSERT(m && g);
     stad_frame *f = frame_of(m);
     memset(m, 0, sizeof *m);
     const int status = stad_geometry_check(g, &f->culprit);
@@ -94,6 +95,7 @@ static int begin(stad_frame *f, const stad_params *p)
 
 int stad_match_begin(stad_match *m, const stad_params *p)
 {
+    STAD_ASSERT(m && p);
     stad_frame *f = frame_of(m);
     const int status = begin(f, p);
     if (status == STAD_OK && f->recording) {
@@ -115,6 +117,7 @@ int stad_match_keep(stad_match *m, stad_winners *w)
 
 int stad_match_again(stad_match *m, const stad_params *p, const stad_winners *w)
 {
+    STAD_ASSERT(m && p && w);
     stad_frame *f = frame_of(m);
     if (w->width != f->g.width || w->height != f->g.height || w->mode != f->g.mode)
         return STAD_E_SIZE;
@@ -132,6 +135,7 @@ static int is_two_pass(const stad_frame *f)
 
 int stad_match_push(stad_match *m, const uint8_t *left_row, const uint8_t *right_row)
 {
+    STAD_ASSERT(m && left_row && right_row);
     stad_frame *f = frame_of(m);
     const size_t bytes = (size_t)f->g.width * (size_t)f->g.channels;
     if (!f->running || f->again || f->pushed == f->g.height)
@@ -176,6 +180,7 @@ static void put_row(const stad_frame *f, int16_t *out)
 
 int stad_match_pull_all(stad_match *m, int16_t *disp_q4_row, uint8_t *confidence, int16_t *right_q4)
 {
+    STAD_ASSERT(m);
     stad_frame *f = frame_of(m);
     const int32_t height = f->g.height, width = f->g.width;
     if (!f->running || f->pulled == height)

@@ -63,6 +63,7 @@ static int pull_next(stad_match *m, int16_t *disp_q4, ptrdiff_t disp_stride)
 int stad_match_frame(stad_match *m, const stad_params *p, const stad_image *left, const stad_image *right, int16_t *disp_q4,
                      ptrdiff_t disp_stride, void *speckle_work, size_t speckle_bytes)
 {
+    STAD_ASSERT(m && p && left && right);
     stad_frame *f = frame_of(m);
     int status = stad_match_begin(m, p);
     if (status != STAD_OK)
@@ -83,6 +84,7 @@ int stad_match_frame(stad_match *m, const stad_params *p, const stad_image *left
 int stad_match_frame_again(stad_match *m, const stad_params *p, const stad_winners *w, int16_t *disp_q4, ptrdiff_t disp_stride,
                            void *speckle_work, size_t speckle_bytes)
 {
+    STAD_ASSERT(m && p && w);
     stad_frame *f = frame_of(m);
     const int status = stad_match_again(m, p, w);
     if (status != STAD_OK)

@@ -25,6 +25,7 @@ void row_open(stad_frame *f)
 
 void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
 {
+    STAD_ASSERT(x >= 0 && count > 0 && x + count <= f->columns);
     const int32_t at = f->recording ? x : 0;
     if (f->g.mode == STAD_MODE_3WAY)
         stad_best_row_3way(total, count, f->p.num_disparities, f->best + at);

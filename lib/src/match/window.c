@@ -50,6 +50,7 @@ void window_resume(stad_frame *f, int32_t y)
 
 void window_go(stad_frame *f, int32_t y)
 {
+    STAD_ASSERT(y >= 0 && y < f->g.height && f->columns > 0);
     const int32_t from = f->window_row, r = f->radius;
     if (y == from)
         return;

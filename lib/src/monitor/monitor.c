@@ -115,6 +115,7 @@ static int watch(stad_monitor *m)
 
 int stad_monitor_frame(stad_monitor *m, const stad_match_counts *counts)
 {
+    STAD_ASSERT(m && counts && m->config.learn_frames >= 2); /* initialised */
     if (m->since_look < INT32_MAX)
         m->since_look++;
     if (counts->considered <= 0 || counts->firm < 0 || counts->firm > counts->considered)

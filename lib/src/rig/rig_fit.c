@@ -100,6 +100,7 @@ static uint8_t verdict_of(const stad_rig_report *report)
 
 int stad_rig_fit(stad_rig *r, stad_rig_report *report, const stad_pair *pairs, int n, int width, int height)
 {
+    STAD_ASSERT(r && report && (pairs || n <= 0));
     if (width < 16 || width > STAD_MARK_MAX_SIZE || height < 16 || height > STAD_MARK_MAX_SIZE || n < 0 ||
         n > STAD_AFFINE_MAX_POINTS / 4)
         return STAD_E_PARAM;

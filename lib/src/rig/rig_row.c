@@ -119,6 +119,7 @@ void stad_rig_rows(const stad_rig *r, int y, int *first, int *last)
 
 int stad_rig_row(const stad_rig *r, const stad_image *right, int y, uint8_t *out_row)
 {
+    STAD_ASSERT(r && right && out_row);
     if (!covered(r))
         return STAD_E_PARAM;
     if (right->width != r->width || right->height != r->height || y < 0 || y >= r->height)
@@ -151,6 +152,7 @@ int stad_rig_begin(stad_rig_stream *s, const stad_rig *r, int channels, int max_
 
 int stad_rig_push(stad_rig_stream *s, const uint8_t *raw_row)
 {
+    STAD_ASSERT(s && raw_row && s->ring_rows > 0); /* begun */
     if (s->pushed == s->rig.height)
         return STAD_E_STATE;
     int first, last;
@@ -165,6 +167,7 @@ int stad_rig_push(stad_rig_stream *s, const uint8_t *raw_row)
 
 int stad_rig_pull(stad_rig_stream *s, uint8_t *out_row)
 {
+    STAD_ASSERT(s && out_row && s->ring_rows > 0);
     if (s->pulled == s->rig.height)
         return STAD_E_STATE;
     int first, last;

@@ -117,6 +117,7 @@ static void add_stretch(stad_score_counts *n, const stretch *more)
 void stad_score_row(stad_score *s, int y, const int16_t *disp_q4_row, const int32_t *truth_q16_row,
                     const uint8_t *label_row, int width)
 {
+    STAD_ASSERT(s && s->config.num_disparities > 0); /* begun */
     (void)y;
     if (all_ignored(label_row, width))
         return;

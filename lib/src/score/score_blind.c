@@ -3,6 +3,7 @@
  *
  * Follows `bad` well, but tuned on alone it leads astray (docs/TUNING.md): use it beside truth, with a small weight. */
 #include "stad/score.h"
+#include "base/arith.h"
 
 /* 5 * grey less the sum of the 5 px around x, so grey levels * 5, at columns held inside the row. */
 static int32_t zero_mean_x5(const uint8_t *row, int x, int width)
@@ -31,6 +32,7 @@ static int32_t photo_error(const uint8_t *left, const uint8_t *right, int x, int
 void stad_score_row_blind(stad_score *s, int y, const int16_t *disp_q4_row, const uint8_t *left_row,
                           const uint8_t *right_row, int width)
 {
+    STAD_ASSERT(s && s->config.num_disparities > 0 && s->config.photo_limit > 0); /* begun */
     const int min_q4 = s->config.min_disparity * 16;
     const int range_q4 = s->config.num_disparities * 16;
     const int32_t limit = 80 * s->config.photo_limit;

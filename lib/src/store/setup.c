@@ -6,6 +6,7 @@
 #include "store/crc32.h"
 
 #include <string.h>
+#include "base/arith.h"
 
 #define MAGIC   0x44415453u /* "STAD" when the bytes are read in order */
 #define VERSION 1u
@@ -126,6 +127,7 @@ int stad_setup_check(const stad_setup *setup)
 
 void stad_setup_pack(const stad_setup *setup, uint32_t sequence, uint8_t *out)
 {
+    STAD_ASSERT(setup && out);
     writer w = {out};
     put(&w, MAGIC, 4);
     put(&w, VERSION, 2);

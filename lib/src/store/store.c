@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/bytes.h"
+#include "base/arith.h"
 
 enum slot_state { SLOT_BAD, SLOT_GOOD, SLOT_UNREADABLE };
 
@@ -82,6 +83,7 @@ int stad_store_load_slot(const stad_flash *flash, int slot, stad_setup *setup)
 
 int stad_store_load(const stad_flash *flash, stad_setup *setup)
 {
+    STAD_ASSERT(flash && setup);
     if (!flash_fits(flash))
         return STAD_E_PARAM;
     slot_view view[2] = {look(flash, STAD_SLOT_A, NULL), look(flash, STAD_SLOT_B, NULL)};
@@ -122,6 +124,7 @@ static int write_any(const stad_flash *f, const slot_view view[2], const stad_se
 
 int stad_store_save(const stad_flash *flash, const stad_setup *setup)
 {
+    STAD_ASSERT(flash && setup);
     if (!flash_fits(flash) || stad_setup_check(setup) != STAD_OK)
         return STAD_E_PARAM;
     slot_view view[2] = {look(flash, STAD_SLOT_A, NULL), look(flash, STAD_SLOT_B, NULL)};

@@ -100,6 +100,7 @@ static void clip(const stad_truth *t, const int32_t *truth, uint8_t *label)
 
 int stad_truth_row(const stad_truth *t, int y, int width, int32_t *truth_q16_row, uint8_t *label_row)
 {
+    STAD_ASSERT(t && truth_q16_row && label_row && t->count <= STAD_TRUTH_LAYERS);
     if (width != t->width || y < 0 || y >= t->height)
         return STAD_E_SIZE;
     for (int32_t x = 0; x < width; x++) {

@@ -83,6 +83,7 @@ static int count_marks(const stad_pair *pairs, int n, uint32_t ids)
 
 int stad_truth_from_target(stad_truth *t, const stad_target *target, const stad_pair *pairs, int n, const stad_camera *camera)
 {
+    STAD_ASSERT(t && target && t->width > 0 && (pairs || n <= 0)); /* initialised */
     /* Points of the base alone come out the same with any camera. */
     const stad_camera any = {t->width * 256, t->width * 128, t->height * 128};
     stad_plane base;
