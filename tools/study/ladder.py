@@ -28,7 +28,8 @@ def compare(title, places, cost, ladders, colour=False):
             runs[name].append((to2, 100 * (min(t[:30]) / best - 1), 100 * (min(t) / best - 1)))
     for name, rows in runs.items():
         to2, at30, at100 = zip(*rows)
-        print(f"| {title} | {cost} | {name} | {statistics.median(to2):g} | {statistics.mean(at30):.2f} | {statistics.mean(at100):.2f} |", flush=True)
+        middle = statistics.median(to2)
+        print(f"| {title} | {cost} | {name} | {'never' if middle == float('inf') else f'{middle:g}'} | {statistics.mean(at30):.2f} | {statistics.mean(at100):.2f} |", flush=True)
 
 
 def main():
