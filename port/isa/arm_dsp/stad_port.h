@@ -6,6 +6,7 @@
 #define stad_prefilter_row   stad_prefilter_row_dsp
 #define stad_range_row       stad_range_row_dsp
 #define stad_cost_row_u8     stad_cost_row_u8_dsp
+#define stad_box_add_row_u8  stad_box_add_row_u8_dsp
 #define stad_block_row       stad_block_row_dsp
 #define stad_slide_row       stad_slide_row_dsp
 #define stad_path_row        stad_path_row_dsp
@@ -18,6 +19,7 @@ void stad_prefilter_row_dsp(const uint8_t *above, const uint8_t *row, const uint
                             int32_t cap, uint8_t *planes);
 void stad_range_row_dsp(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
 void stad_cost_row_u8_dsp(const stad_cost_job *job, uint8_t *cost);
+void stad_box_add_row_u8_dsp(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight);
 void stad_block_row_dsp(const stad_block_job *job, int16_t *block);
 void stad_slide_row_dsp(const stad_slide_job *job, int16_t *block);
 void stad_path_row_dsp(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);
