@@ -9,6 +9,7 @@
 #define STAD_TIER(name) name##_avx512
 #define VEC_LANES       32
 #define VEC_SHIFT_ALWAYS 1
+#define VEC_SHIFT_ACROSS 1
 
 typedef __m512i vec;
 
@@ -35,6 +36,7 @@ static inline vec vec_set(int v)
 
 #define vec_set_u8(v)    _mm512_set1_epi8((char)(v))
 #define vec_min(a, b)    _mm512_min_epi16(a, b)
+#define vec_min_u16(a, b) _mm512_min_epu16(a, b)
 #define vec_max(a, b)    _mm512_max_epi16(a, b)
 #define vec_add(a, b)    _mm512_add_epi16(a, b)
 #define vec_sub(a, b)    _mm512_sub_epi16(a, b)
