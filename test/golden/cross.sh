@@ -9,8 +9,11 @@ command -v "$cc" >/dev/null || { echo "SKIPPED: $cc is not installed"; exit 77; 
 command -v "$qemu" >/dev/null || { echo "SKIPPED: $qemu is not installed"; exit 77; }
 [ -n "${UNITY_DIR:-}" ] || { echo "SKIPPED: Unity is missing (test/setup gets it)"; exit 77; }
 root=$(cd "$(dirname "$0")/../.." && pwd)
+support=$root/test/support
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT INT TERM
 "$cc" -std=c99 -O2 -static "$@" -I"$root/lib/include" -I"$root/lib/src" -I"$root/port/isa/c" -I"$root/test" -I"$UNITY_DIR" \
-    "$root"/lib/src/base/*.c "$root"/lib/src/kernel/*.c "$root"/lib/src/match/*.c "$root"/test/support/*.c "$root/test/golden/test_golden.c" "$UNITY_DIR/unity.c" -o "$out/golden"
+    "$root"/lib/src/base/*.c "$root"/lib/src/kernel/*.c "$root"/lib/src/match/*.c \
+    "$support/scene.c" "$support/case.c" "$support/subject.c" "$support/reference.c" "$support/fixture.c" \
+    "$root/test/golden/test_golden.c" "$UNITY_DIR/unity.c" -o "$out/golden"
 "$qemu" "$out/golden"

@@ -164,7 +164,7 @@ def test_score_and_tuner_work_together():
         resumed.tell(c)
     assert resumed.ask() is None and bytes(resumed) == bytes(t)
     refused("'nothing'", stadimeter.Tuner, start, free=["nothing"])
-    refused("missing: p2", stadimeter.Tuner, {k: v for k, v in start.items() if k != "p2"})
+    refused("start: missing p2", stadimeter.Tuner, {k: v for k, v in start.items() if k != "p2"})
     refused("budget = 999", stadimeter.Tuner, start, budget=999)
     refused("cost", stadimeter.Tuner(start).tell, -1)
     refused("search is over", resumed.tell, 0.5)
