@@ -340,6 +340,8 @@ accept scene -o q --target --frames 5 --width 160 --height 120
 expect 3 'disp.npy: cannot be' scene -o disp.npy --target
 
 ### the sheet ###
+expect 2 '--isa avx9: must be' bench --isa avx9
+STAD_ISA=avx9 expect 2 'STAD_ISA avx9: must be' bench
 expect 2 'sheet.txt: the suffix must be' sheet -o sheet.txt
 expect 2 '--paper a44' sheet -o sheet.pdf --paper a44
 expect 3 'nowhere/sheet.pdf: cannot be written' sheet -o nowhere/sheet.pdf

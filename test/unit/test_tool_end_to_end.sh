@@ -73,6 +73,9 @@ run plan --width 320 --height 240 --num-disparities 64 --json >plan.json
 [ "$(grep -c '"total"' plan.json)" = 8 ] || fail "plan: four modes of two plans"
 run bench --width 96 --height 64 --num-disparities 16 --frames 1 >bench.txt
 [ "$(grep -c 'ns per pixel and disparity' bench.txt)" = 4 ] || fail "bench: four modes"
+grep -q "^kernels: [a-z]" bench.txt || fail "bench: names its kernels"
+run bench --width 96 --height 64 --num-disparities 24 --frames 1 >bench.txt
+[ "$(grep -c 'ns per pixel and disparity' bench.txt)" = 3 ] || fail "bench: 3way is left out where it cannot"
 for command in match eval tune plan scene bench; do
     "$stad" $command --help | grep -q 'Example: stad' || fail "stad $command --help has no example"
 done

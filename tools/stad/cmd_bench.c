@@ -14,7 +14,8 @@
 static const char help[] =
     "usage: stad bench [options]\n\n"
     "Time to match a frame, and per pixel and disparity: CPU time of one thread, median over the frames.\n"
-    "Without --mode all four are timed.\n\n"
+    "Without --mode all four are timed (3way where it takes the disparities), on a grey scene. The first line\n"
+    "names the kernels in use, which the variable STAD_ISA may hold down as --isa does.\n\n"
     "  --width W, --height H        (640, 480)\n"
     "  --frames N                   (9)\n"
     "  --isa c|sse41|avx2|avx512    at most this tier of kernels on x86 (what the CPU "
@@ -33,11 +34,22 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
 
-/* The library looks at this variable when it first matches. */
-static int take_isa(const char *name, tool_fail *f)
+/* The x86 port exports the name of the tier in use; another port does not have it. */
+const char *stad_x86_tier_name(void) __attribute__((weak));
+
+/* `from`: --isa, or the variable that the library looks at when it first matches; any other word would do nothing there. */
+static int check_isa(const char *from, const char *name, tool_fail *f)
 {
     if (strcmp(name, "c") && strcmp(name, "sse41") && strcmp(name, "avx2") && strcmp(name, "avx512"))
-        return tool_fail_set(f, TOOL_USAGE, "--isa %s: must be c, sse41, avx2 or avx512", name);
+        return tool_fail_set(f, TOOL_USAGE, "%s %s: must be c, sse41, avx2 or avx512", from, name);
+    return TOOL_OK;
+}
+
+static int take_isa(const char *name, tool_fail *f)
+{
+    int status = check_isa("--isa", name, f);
+    if (status)
+        return status;
     if (setenv("STAD_ISA", name, 1))
         return tool_fail_set(f, TOOL_USAGE, "--isa %s: the environment cannot be changed", name);
     return TOOL_OK;
@@ -149,19 +161,38 @@ static int draw_pair(const bench_job *j, picture *pair, tool_fail *f)
     return status;
 }
 
+/* The mode asked for, else every one; but 3WAY only where it takes the disparities. */
+static int is_timed(const bench_job *j, int mode, const picture *pair)
+{
+    const int only = j->options.some.mode;
+    stad_params p;
+    tool_fail unused = {0};
+    match_options options = j->options;
+    if (only >= 0 || mode != STAD_MODE_3WAY)
+        return only < 0 || only == mode;
+    options.some.mode = STAD_MODE_SGBM;
+    if (match_options_params(&options, pair->width, pair->channels, &p, &unused) || p.num_disparities % 16 == 0)
+        return 1;
+    printf("3way  left out: %d disparities are no multiple of 16\n", p.num_disparities);
+    return 0;
+}
+
 static int work(bench_job *j, tool_fail *f)
 {
     picture pair[2];
-    int status = match_options_file(&j->options, f);
+    const char *isa = getenv("STAD_ISA");
+    int status = isa ? check_isa("STAD_ISA", isa, f) : TOOL_OK;
+    if (status == TOOL_OK)
+        status = match_options_file(&j->options, f);
     if (status == TOOL_OK && j->options.color)
         status = tool_fail_set(f, TOOL_USAGE, "--color: the scene that is timed is grey");
     if (status == TOOL_OK)
         status = draw_pair(j, pair, f);
     if (status)
         return status;
-    int only = j->options.some.mode;
+    printf("kernels: %s\n", stad_x86_tier_name ? stad_x86_tier_name() : "of the port this was built with");
     for (int mode = 0; mode < 4 && status == TOOL_OK; mode++)
-        if (only < 0 || only == mode)
+        if (is_timed(j, mode, pair))
             status = bench_mode(j, mode, pair, f);
     picture_free(&pair[0]);
     picture_free(&pair[1]);
