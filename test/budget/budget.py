@@ -29,8 +29,8 @@ FLASH_LIMIT = {"one_mode": 12 * 1024, "one_mode_tune": 20 * 1024, "chain": 48 * 
 ENTRY = {"one_mode": "match", "one_mode_tune": "match_tune"}
 # How a firmware that will never ask for another mode than SGBM, nor for path state in bytes (the small plan's, up to P2 255),
 # leaves them out (docs/PORTING.md).
-ONE_MODE = ["-Wl,--defsym=mode_3way_step=mode_sgbm_step", "-Wl,--defsym=mode_hh_step=mode_sgbm_step",
-            "-Wl,--defsym=mode_hh4_step=mode_sgbm_step", "-Wl,--defsym=mode_two_pass_feed=mode_sgbm_step",
+ONE_MODE = ["-Wl,--defsym=stad_mode_3way_step=stad_mode_sgbm_step", "-Wl,--defsym=stad_mode_hh_step=stad_mode_sgbm_step",
+            "-Wl,--defsym=stad_mode_hh4_step=stad_mode_sgbm_step", "-Wl,--defsym=stad_mode_two_pass_feed=stad_mode_sgbm_step",
             "-Wl,--defsym=stad_best_row_3way_c=stad_best_row_c", "-Wl,--defsym=stad_path_row_u8_c=stad_path_row_sat_c"]
 STACK_LIMIT = 1023
 FRAME_LIMIT = 256  # a function of lib/

@@ -40,7 +40,8 @@ static const check *checks(int *count)
                           CHECK(refine_row, case_refine),
                           CHECK(select_row, case_select),
                           CHECK(check_row, case_check),
-                          CHECK(median_row, case_median)};
+                          CHECK(median_row, case_median),
+                          CHECK(box_sat_row, case_box_sat)};
     *count = (int)(sizeof here / sizeof here[0]);
     memcpy(all, here, sizeof here);
     return all;

@@ -43,6 +43,7 @@ int case_cost_u16(void);
 int case_box_add_u8(void);
 int case_box_add_u16(void);
 int case_block(void);
+int case_box_sat(void);
 int case_slide(void);
 int case_path(void);
 int case_path_sat(void);

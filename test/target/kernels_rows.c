@@ -101,7 +101,7 @@ int case_block(void)
 {
     static int16_t hs[DISPARITIES];
     const int wide = (int)(draw() % 2);
-    const stad_block_job job = {wide ? (void *)words_a : bytes_a, wide ? (void *)words_b : bytes_b, hs, between(1, COLUMNS),
+    const stad_block_job job = {wide ? (void *)words_a : bytes_a, wide ? (void *)words_b : bytes_b, hs, between(1, COLUMNS - 1),
                                 between(1, DISPARITIES / 8) * 8, between(0, wide ? 3 : 5), wide};
     const int32_t n = job.columns * job.disparities;
     fill_u8(bytes_a, n, 255);
@@ -113,6 +113,27 @@ int case_block(void)
     memcpy(reference.i16 + GUARD, words_c, 2 * (size_t)n);
     stad_block_row(&job, mine.i16 + GUARD);
     stad_block_row_c(&job, reference.i16 + GUARD);
+    return same();
+}
+
+/* Block costs anywhere, so that they saturate often and the order of every sum shows. */
+int case_box_sat(void)
+{
+    static int16_t hs[2][DISPARITIES];
+    const int32_t columns = between(6, COLUMNS - 1), d = between(1, DISPARITIES / 8) * 8, radius = between(0, 5);
+    const int wide = (int)(draw() % 2);
+    stad_box_sat_job job = {wide ? (void *)words_a : bytes_a, wide ? (void *)words_b : bytes_b, hs[0], hs[1], columns, d, radius,
+                            between(1, 40), wide, draw() % 4 == 0, (int)(draw() % 2), (int)(draw() % 2), (int)(draw() % 2),
+                            (int)(draw() % 2)};
+    fill_u8(bytes_a, columns * d, 255);
+    fill_u8(bytes_b, columns * d, 255);
+    fill_i16(words_a, columns * d, 0, 954);
+    fill_i16(words_b, columns * d, 0, 954);
+    fill_i16(words_c, columns * d, -32768, 32767);
+    memcpy(mine.i16 + GUARD, words_c, 2 * (size_t)(columns * d));
+    memcpy(reference.i16 + GUARD, words_c, 2 * (size_t)(columns * d));
+    stad_box_sat_row(&job, mine.i16 + GUARD);
+    stad_box_sat_row_c(&job, reference.i16 + GUARD);
     return same();
 }
 

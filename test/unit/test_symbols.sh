@@ -1,11 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What libstadimeter.a needs from outside: memcpy, memset (and memmove where a compiler finds one in a loop), no allocator,
-# no stdio, no writable global; and not one float in lib/src, which -mgeneral-regs-only refuses to compile.
+# no stdio, no writable global, no name without stad_; and not one float in lib/src, which -mgeneral-regs-only refuses to compile.
 set -eu
 archive=$STAD_BUILD/lib/libstadimeter.a
 status=0
 allowed='memcpy|memset|memmove|strlen|strcmp|strncmp|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail|__assert_fail'
+
+# No name of an application can clash with one of the library's.
+bare=$(nm -g --defined-only "$archive" | awk 'NF == 3 && $3 !~ /^stad_/ { print $3 }')
+if [ -n "$bare" ]; then
+    echo "names without stad_:" $bare
+    status=1
+fi
 
 # The run-time dispatch of port/isa/x86 is the one documented exception.
 dispatch='getenv|strtol|__cpu_model|__cpu_indicator_init'

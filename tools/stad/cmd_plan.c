@@ -156,6 +156,8 @@ static void print_fit(const stad_geometry *g, const plan_board *board)
            stad_match_bytes(g), left >= 0 ? "fits," : "does NOT fit,", left >= 0 ? left : -left, left >= 0 ? "left" : "too many");
     if (left >= 0 && instructions > 0)
         printf("; about %.1f million instructions a frame", instructions / 1e6);
+    else if (left >= 0)
+        printf("; instructions not counted for these settings");
     putchar('\n');
 }
 

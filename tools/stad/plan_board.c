@@ -74,8 +74,10 @@ double plan_board_instructions(const plan_board *b, const stad_geometry *g)
 {
     const double cells = (double)(g->width - g->max_disparities) * g->height * g->max_disparities;
     const int small = g->memory == STAD_MEMORY_SMALL;
-    if (g->channels != 1 || cells <= 0 || (g->mode != STAD_MODE_SGBM && g->mode != STAD_MODE_3WAY))
-        return 0;
+    const size_t block = (size_t)g->max_block_size, p2 = (size_t)g->max_p2, cap = (size_t)g->max_pre_filter_cap;
+    const int counted = g->channels == 1 && cells > 0 && (g->mode == STAD_MODE_SGBM || g->mode == STAD_MODE_3WAY);
+    if (!counted || !STAD_COST_SAFE(1, block, p2, cap) || STAD_LANE_NARROW(1, block, p2, cap, g->mode, g->memory))
+        return 0; /* other kernels work there */
     return b->instructions[(g->mode == STAD_MODE_3WAY ? 2 : 0) + small] * cells;
 }
 

@@ -12,7 +12,7 @@ static const uint8_t *pixel_row(const stad_frame *f, int32_t y, int right)
     return f->pixels + (ptrdiff_t)(2 * row + right) * f->g.width * f->g.channels;
 }
 
-void costs_features(stad_frame *f, int32_t y)
+void stad_costs_features(stad_frame *f, int32_t y)
 {
     const ptrdiff_t width = f->g.width, planes = 2 * (ptrdiff_t)f->g.channels;
     uint8_t *scratch = f->features + 6 * planes * width;
@@ -25,7 +25,7 @@ void costs_features(stad_frame *f, int32_t y)
     }
 }
 
-void costs_make(const stad_frame *f, int32_t x, int32_t count, void *cost)
+void stad_costs_make(const stad_frame *f, int32_t x, int32_t count, void *cost)
 {
     stad_cost_job job = {f->features, f->features + 6 * (ptrdiff_t)f->g.channels * f->g.width, f->g.width,
                          f->g.channels, f->first_column + x, count, f->p.min_disparity, f->p.num_disparities};
@@ -59,17 +59,17 @@ static int ring_admit(stad_frame *f, int32_t y)
     return 0;
 }
 
-const void *costs_row(stad_frame *f, int32_t y, int which)
+const void *stad_costs_row(stad_frame *f, int32_t y, int which)
 {
     void *slot = ring_slot(f, f->ring ? y : which);
     if (!f->ring || !ring_admit(f, y)) {
-        costs_features(f, y);
-        costs_make(f, 0, f->columns, slot);
+        stad_costs_features(f, y);
+        stad_costs_make(f, 0, f->columns, slot);
     }
     return slot;
 }
 
-const void *costs_blank(stad_frame *f, int32_t y)
+const void *stad_costs_blank(stad_frame *f, int32_t y)
 {
     const size_t cells = (size_t)f->columns * (size_t)f->p.num_disparities;
     f->ring_count = 0;

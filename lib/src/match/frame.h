@@ -83,39 +83,39 @@ static inline int frame_has_row(const stad_frame *f, int32_t y)
 }
 
 /* -- plan.c: binds the parts of the workspace --------------------------------------------------------------------------- */
-void plan_bind(stad_frame *f, void *work);
+void stad_plan_bind(stad_frame *f, void *work);
 
 /* -- costs.c: from pixel rows to rows of pixel costs --------------------------------------------------------------------- */
 /* Feature rows of both views at row y: planes of {value, low, high}, the right view's reversed. */
-void costs_features(stad_frame *f, int32_t y);
-void costs_make(const stad_frame *f, int32_t x, int32_t count, void *cost); /* of a run of columns, from the features */
+void stad_costs_features(stad_frame *f, int32_t y);
+void stad_costs_make(const stad_frame *f, int32_t x, int32_t count, void *cost); /* of a run of columns, from the features */
 /* The whole row y: from the ring or made into it; without a ring, made into buffer `which` of two. */
-const void *costs_row(stad_frame *f, int32_t y, int which);
-const void *costs_blank(stad_frame *f, int32_t y); /* empties the ring and puts zeros in the slot of row y */
+const void *stad_costs_row(stad_frame *f, int32_t y, int which);
+const void *stad_costs_blank(stad_frame *f, int32_t y); /* empties the ring and puts zeros in the slot of row y */
 
 /* -- window.c: from pixel costs to block costs --------------------------------------------------------------------------- */
-void window_start(stad_frame *f, int32_t y, int32_t top); /* at row y of an image that begins at row top */
-void window_resume(stad_frame *f, int32_t y);             /* f->window already holds row y's saturating block costs */
-void window_go(stad_frame *f, int32_t y);                 /* to row y by the cheapest exact way */
-const int16_t *window_block(stad_frame *f, int32_t x, int32_t count); /* C of a run of columns */
-int32_t window_image_row(const stad_frame *f, int32_t k); /* k; outside the image its first or last row */
+void stad_window_start(stad_frame *f, int32_t y, int32_t top); /* at row y of an image that begins at row top */
+void stad_window_resume(stad_frame *f, int32_t y);             /* f->window already holds row y's saturating block costs */
+void stad_window_go(stad_frame *f, int32_t y);                 /* to row y by the cheapest exact way */
+const int16_t *stad_window_block(stad_frame *f, int32_t x, int32_t count); /* C of a run of columns */
+int32_t stad_window_image_row(const stad_frame *f, int32_t k); /* k; outside the image its first or last row */
 
 /* -- window_*.c: what it holds ------------------------------------------------------------------------------------------- */
-void window_sums_start(stad_frame *f, int32_t y);
-void window_sums_move(stad_frame *f, int32_t in, int32_t out);
-const int16_t *window_sums_block(const stad_frame *f, int32_t x, int32_t count);
-void window_block_start(stad_frame *f, int32_t y);
-void window_block_move(stad_frame *f, const void *in, const void *out);
-void window_sat_start(stad_frame *f, int32_t top);
-void window_sat_go(stad_frame *f, int32_t y);
+void stad_window_sums_start(stad_frame *f, int32_t y);
+void stad_window_sums_move(stad_frame *f, int32_t in, int32_t out);
+const int16_t *stad_window_sums_block(const stad_frame *f, int32_t x, int32_t count);
+void stad_window_block_start(stad_frame *f, int32_t y);
+void stad_window_block_move(stad_frame *f, const void *in, const void *out);
+void stad_window_sat_start(stad_frame *f, int32_t top);
+void stad_window_sat_go(stad_frame *f, int32_t y);
 
 /* -- lanes.c: path state ------------------------------------------------------------------------------------------------- */
-void lanes_shape(stad_frame *f);
-void lanes_reset(const stad_frame *f, lane_set *set); /* all paths restart; the fences are drawn */
-int32_t lanes_at(const stad_frame *f, const lane_set *set, stad_lane *lanes);    /* as set->rows places them; count */
-int32_t lanes_enter(const stad_frame *f, const lane_set *set, stad_lane *lanes); /* the same, at the start of a row */
-int32_t lanes_enter_u8(const stad_frame *f, const lane_set *set, stad_lane_u8 *lanes);
-void lane_restart(const stad_frame *f, stad_lane *across);
+void stad_lanes_shape(stad_frame *f);
+void stad_lanes_reset(const stad_frame *f, lane_set *set); /* all paths restart; the fences are drawn */
+int32_t stad_lanes_at(const stad_frame *f, const lane_set *set, stad_lane *lanes);    /* as set->rows places them; count */
+int32_t stad_lanes_enter(const stad_frame *f, const lane_set *set, stad_lane *lanes); /* the same, at the start of a row */
+int32_t stad_lanes_enter_u8(const stad_frame *f, const lane_set *set, stad_lane_u8 *lanes);
+void stad_lane_restart(const stad_frame *f, stad_lane *across);
 
 /* -- sweep.c: the orders in which paths are summed ------------------------------------------------------------------------ */
 /* One pass over a row's columns. total: S of the row, or NULL; block_row: C of the row, or NULL to take the window's. */
@@ -126,26 +126,26 @@ typedef struct row_sweep {
     int across, across_last;  /* the horizontal path too; after the others */
     int fresh;                /* total is written, not added to */
 } row_sweep;
-void sweep_forward(stad_frame *f, const row_sweep *s);
-void sweep_streamed(stad_frame *f);                       /* SGBM, 3WAY: forward, back, winners */
-void sweep_back(stad_frame *f, const row_sweep *s);       /* right to left, winners on the way */
+void stad_sweep_forward(stad_frame *f, const row_sweep *s);
+void stad_sweep_streamed(stad_frame *f);                       /* SGBM, 3WAY: forward, back, winners */
+void stad_sweep_back(stad_frame *f, const row_sweep *s);       /* right to left, winners on the way */
 
 /* -- row.c: winners of a row ---------------------------------------------------------------------------------------------- */
-void row_fill(int16_t *to, int32_t n, int16_t value);
-void row_open(stad_frame *f);
-void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count); /* runs from right to left */
-void row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count);
-void row_close(stad_frame *f);
+void stad_row_fill(int16_t *to, int32_t n, int16_t value);
+void stad_row_open(stad_frame *f);
+void stad_row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count); /* runs from right to left */
+void stad_row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count);
+void stad_row_close(stad_frame *f);
 
 /* -- winners.c: a row of them kept, and a raw row made of them --------------------------------------------------------- */
-void winners_open(stad_frame *f); /* this row's go where they are kept */
-int winners_step(stad_frame *f);
+void stad_winners_open(stad_frame *f); /* this row's go where they are kept */
+int stad_winners_step(stad_frame *f);
 
 /* -- mode_*.c: each makes the next raw row, or answers STAD_AGAIN --------------------------------------------------------- */
-int mode_sgbm_step(stad_frame *f);
-int mode_3way_step(stad_frame *f);
-int mode_hh_step(stad_frame *f);
-int mode_hh4_step(stad_frame *f);
-void mode_two_pass_feed(stad_frame *f); /* HH, HH4: the first pass, as rows come in */
+int stad_mode_sgbm_step(stad_frame *f);
+int stad_mode_3way_step(stad_frame *f);
+int stad_mode_hh_step(stad_frame *f);
+int stad_mode_hh4_step(stad_frame *f);
+void stad_mode_two_pass_feed(stad_frame *f); /* HH, HH4: the first pass, as rows come in */
 
 #endif

@@ -8,13 +8,13 @@
  *     from x:      first(t) = -t      x - t + 1 is where row t - 1 put column x
  *     from x + 1:  first(t) = 0       x + 1 is where row t - 1 put column x + 1
  * (all modulo columns + 1). The one slot that no column of a row writes stands for the pixel outside the image: it holds a
- * fresh path, which lanes_enter() renews where the slot has been used since. */
+ * fresh path, which stad_lanes_enter() renews where the slot has been used since. */
 #include <string.h>
 
 #include "match/frame.h"
 #include "base/arith.h"
 
-void lanes_shape(stad_frame *f)
+void stad_lanes_shape(stad_frame *f)
 {
     const int32_t lanes = (int32_t)STAD_LANES_DOWN(f->g.mode);
     f->stride = f->p.num_disparities + (int32_t)STAD_LANE_PAD(f->g.memory);
@@ -82,7 +82,7 @@ static void clear_narrow(const stad_frame *f, const stad_lane_u8 *lane)
     }
 }
 
-void lanes_reset(const stad_frame *f, lane_set *set)
+void stad_lanes_reset(const stad_frame *f, lane_set *set)
 {
     set->rows = 0;
     for (int32_t i = 0; i < set->count; i++) {
@@ -95,16 +95,16 @@ void lanes_reset(const stad_frame *f, lane_set *set)
     }
 }
 
-int32_t lanes_at(const stad_frame *f, const lane_set *set, stad_lane *lanes)
+int32_t stad_lanes_at(const stad_frame *f, const lane_set *set, stad_lane *lanes)
 {
     for (int32_t i = 0; i < set->count; i++)
         lanes[i] = wide_lane(f, set, i);
     return set->count;
 }
 
-int32_t lanes_enter(const stad_frame *f, const lane_set *set, stad_lane *lanes)
+int32_t stad_lanes_enter(const stad_frame *f, const lane_set *set, stad_lane *lanes)
 {
-    lanes_at(f, set, lanes);
+    stad_lanes_at(f, set, lanes);
     for (int32_t i = 0; i < set->count; i++) {
         if (kind_of(set, i) == LANE_DOWN_RIGHT) {
             const int32_t outside = (lanes[i].write + 1) % lanes[i].slots;
@@ -115,7 +115,7 @@ int32_t lanes_enter(const stad_frame *f, const lane_set *set, stad_lane *lanes)
     return set->count;
 }
 
-int32_t lanes_enter_u8(const stad_frame *f, const lane_set *set, stad_lane_u8 *lanes)
+int32_t stad_lanes_enter_u8(const stad_frame *f, const lane_set *set, stad_lane_u8 *lanes)
 {
     for (int32_t i = 0; i < set->count; i++) {
         lanes[i] = narrow_lane(f, set, i);
@@ -127,7 +127,7 @@ int32_t lanes_enter_u8(const stad_frame *f, const lane_set *set, stad_lane_u8 *l
     return set->count;
 }
 
-void lane_restart(const stad_frame *f, stad_lane *across)
+void stad_lane_restart(const stad_frame *f, stad_lane *across)
 {
     const int32_t d = f->p.num_disparities;
     across->write = 0;

@@ -20,7 +20,7 @@ int stad_match_init(stad_match *m, const stad_geometry *g, void *work, size_t wo
     if (!work || (uintptr_t)work % STAD_ALIGN != 0 || work_bytes < stad_match_bytes(g))
         return STAD_E_SIZE;
     f->g = *g;
-    plan_bind(f, work);
+    stad_plan_bind(f, work);
     return STAD_OK;
 }
 
@@ -68,7 +68,7 @@ static void shape_frame(stad_frame *f)
     f->pushed = f->oldest = f->made = f->pulled = f->down_row = 0;
     f->ring_first = f->ring_count = 0;
     f->window_row = f->loaded = -1;
-    lanes_shape(f);
+    stad_lanes_shape(f);
     memset(&f->counts, 0, sizeof f->counts);
 }
 
@@ -147,23 +147,23 @@ int stad_match_push(stad_match *m, const uint8_t *left_row, const uint8_t *right
     memcpy(slot + bytes, right_row, bytes);
     f->pushed++;
     if (is_two_pass(f))
-        mode_two_pass_feed(f);
+        stad_mode_two_pass_feed(f);
     return STAD_OK;
 }
 
 static int make_row(stad_frame *f)
 {
     if (f->again)
-        return winners_step(f);
+        return stad_winners_step(f);
     switch (f->g.mode) {
     case STAD_MODE_SGBM:
-        return mode_sgbm_step(f);
+        return stad_mode_sgbm_step(f);
     case STAD_MODE_3WAY:
-        return mode_3way_step(f);
+        return stad_mode_3way_step(f);
     case STAD_MODE_HH:
-        return mode_hh_step(f);
+        return stad_mode_hh_step(f);
     default:
-        return mode_hh4_step(f);
+        return stad_mode_hh4_step(f);
     }
 }
 

@@ -25,21 +25,21 @@ static stripe stripe_of(const stad_frame *f, int32_t index)
 static void warm_up(stad_frame *f)
 {
     const row_sweep vertical = {&f->down, NULL, NULL, 0, 0, 0};
-    sweep_forward(f, &vertical);
+    stad_sweep_forward(f, &vertical);
 }
 
 static void reach(stad_frame *f, const stripe *s, int32_t y)
 {
     if (f->loaded != s->index) {
         f->loaded = s->index;
-        lanes_reset(f, &f->down);
-        window_start(f, s->first, s->first);
+        stad_lanes_reset(f, &f->down);
+        stad_window_start(f, s->first, s->first);
     } else {
-        window_go(f, f->window_row + 1);
+        stad_window_go(f, f->window_row + 1);
     }
     while (f->window_row < y) {
         warm_up(f);
-        window_go(f, f->window_row + 1);
+        stad_window_go(f, f->window_row + 1);
     }
 }
 
@@ -50,19 +50,19 @@ static int32_t oldest_needed(const stad_frame *f, const stripe *s, int32_t y)
     return max_i32(min_i32(here, stripe_of(f, s->index + 1).first - 1), 0);
 }
 
-int mode_3way_step(stad_frame *f)
+int stad_mode_3way_step(stad_frame *f)
 {
     const int32_t row = f->made, size = (f->g.height + 3) / 4;
     const stripe s = stripe_of(f, row / size);
     const int32_t y = row + s.shift;
     if (!frame_has_row(f, min_i32(y, s.end - 1) + f->radius + 1))
         return STAD_AGAIN;
-    row_open(f);
+    stad_row_open(f);
     if (y < s.end) {
         reach(f, &s, y);
         f->oldest = max_i32(f->oldest, oldest_needed(f, &s, y));
-        sweep_streamed(f);
+        stad_sweep_streamed(f);
     }
-    row_close(f);
+    stad_row_close(f);
     return STAD_OK;
 }

@@ -4,19 +4,19 @@
 #include "match/frame.h"
 #include "base/arith.h"
 
-int mode_sgbm_step(stad_frame *f)
+int stad_mode_sgbm_step(stad_frame *f)
 {
     const int32_t y = f->made;
     if (!frame_has_row(f, y + f->radius + 1))
         return STAD_AGAIN;
     if (y == 0) {
-        lanes_reset(f, &f->down);
-        window_start(f, 0, 0);
+        stad_lanes_reset(f, &f->down);
+        stad_window_start(f, 0, 0);
     }
-    window_go(f, y);
+    stad_window_go(f, y);
     f->oldest = max_i32(y - f->radius - 1, 0); /* the row that leaves next, and the one above it */
-    row_open(f);
-    sweep_streamed(f);
-    row_close(f);
+    stad_row_open(f);
+    stad_sweep_streamed(f);
+    stad_row_close(f);
     return STAD_OK;
 }

@@ -47,7 +47,7 @@ static void load_checkpoint(stad_frame *f, int32_t segment)
     if (f->safe)
         return;
     memcpy(f->window, from + f->state_bytes, 2 * cell_count(f));
-    window_resume(f, y - 1);
+    stad_window_resume(f, y - 1);
 }
 
 static void keep_block(stad_frame *f, int32_t y)
@@ -55,7 +55,7 @@ static void keep_block(stad_frame *f, int32_t y)
     const int32_t d = f->p.num_disparities;
     for (int32_t x = 0; x < f->columns; x += STAD_RUN) {
         const int32_t count = min_i32(STAD_RUN, f->columns - x);
-        memcpy(segment_block(f, y) + (ptrdiff_t)x * d, window_block(f, x, count), 2 * (size_t)count * (size_t)d);
+        memcpy(segment_block(f, y) + (ptrdiff_t)x * d, stad_window_block(f, x, count), 2 * (size_t)count * (size_t)d);
     }
 }
 
@@ -65,7 +65,7 @@ static void take_down(stad_frame *f, int32_t y, int keep)
     int16_t *total = f->total_row ? f->total_row : segment_row(f, y);
     const row_sweep kept = {&f->down, NULL, total, f->g.mode == STAD_MODE_HH, 0, 1};
     const row_sweep passed = {&f->down, NULL, NULL, 0, 0, 0};
-    sweep_forward(f, keep ? &kept : &passed);
+    stad_sweep_forward(f, keep ? &kept : &passed);
     if (keep && f->total_row)
         memcpy(segment_row(f, y), total, 2 * cell_count(f));
     if (keep && !f->safe)
@@ -76,17 +76,17 @@ static void first_pass_row(stad_frame *f, int32_t y)
 {
     const int32_t segment = y / f->segment_rows;
     if (y == 0) {
-        lanes_reset(f, &f->down);
-        window_start(f, 0, 0);
+        stad_lanes_reset(f, &f->down);
+        stad_window_start(f, 0, 0);
     } else if (y % f->segment_rows == 0) {
         save_checkpoint(f, segment);
     }
-    window_go(f, y);
+    stad_window_go(f, y);
     take_down(f, y, segment == f->segments - 1);
     f->loaded = segment;
 }
 
-void mode_two_pass_feed(stad_frame *f)
+void stad_mode_two_pass_feed(stad_frame *f)
 {
     while (f->down_row < f->g.height && frame_has_row(f, f->down_row + f->radius + 1))
         first_pass_row(f, f->down_row++);
@@ -98,11 +98,11 @@ static void load_segment(stad_frame *f, int32_t segment)
     if (segment > 0)
         load_checkpoint(f, segment);
     else
-        lanes_reset(f, &f->down);
+        stad_lanes_reset(f, &f->down);
     for (int32_t y = first; y < first + f->segment_rows; y++) {
         if (y == 0)
-            window_start(f, 0, 0);
-        window_go(f, y);
+            stad_window_start(f, 0, 0);
+        stad_window_go(f, y);
         take_down(f, y, 1);
     }
     f->loaded = segment;
@@ -112,15 +112,15 @@ static void load_segment(stad_frame *f, int32_t segment)
 static void take_up_hh(stad_frame *f, const int16_t *block, int16_t *total)
 {
     const row_sweep all = {&f->up, block, total, 1, 0, 0};
-    sweep_back(f, &all);
+    stad_sweep_back(f, &all);
 }
 
 /* HH4: the path from below, then the horizontal ones (SPEC 6). */
 static void take_up_hh4(stad_frame *f, const int16_t *block, int16_t *total)
 {
     const row_sweep forward = {&f->up, block, total, 1, 1, 0}, back = {NULL, block, total, 1, 0, 0};
-    sweep_forward(f, &forward);
-    sweep_back(f, &back);
+    stad_sweep_forward(f, &forward);
+    stad_sweep_back(f, &back);
 }
 
 static int second_pass_row(stad_frame *f)
@@ -129,30 +129,30 @@ static int second_pass_row(stad_frame *f)
     if (f->down_row < f->g.height)
         return STAD_AGAIN;
     if (f->made == 0)
-        lanes_reset(f, &f->up);
+        stad_lanes_reset(f, &f->up);
     if (f->loaded != segment)
         load_segment(f, segment);
     if (f->safe)
-        window_go(f, y);
+        stad_window_go(f, y);
     const int16_t *block = f->safe ? NULL : segment_block(f, y);
     int16_t *total = segment_row(f, y);
     if (f->total_row)
         total = memcpy(f->total_row, total, 2 * cell_count(f));
-    row_open(f);
+    stad_row_open(f);
     if (f->g.mode == STAD_MODE_HH)
         take_up_hh(f, block, total);
     else
         take_up_hh4(f, block, total);
-    row_close(f);
+    stad_row_close(f);
     return STAD_OK;
 }
 
-int mode_hh_step(stad_frame *f)
+int stad_mode_hh_step(stad_frame *f)
 {
     return second_pass_row(f);
 }
 
-int mode_hh4_step(stad_frame *f)
+int stad_mode_hh4_step(stad_frame *f)
 {
     return second_pass_row(f);
 }

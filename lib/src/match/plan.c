@@ -237,7 +237,7 @@ static void derive(stad_frame *f, const shape *s)
     f->checkpoint_bytes = s->checkpoint;
 }
 
-void plan_bind(stad_frame *f, void *work)
+void stad_plan_bind(stad_frame *f, void *work)
 {
     const shape s = shape_of(&f->g);
     uint8_t *part[PART_COUNT], *rest = work;

@@ -6,24 +6,24 @@
 #include "match/frame.h"
 #include "base/arith.h"
 
-void row_fill(int16_t *to, int32_t n, int16_t value)
+void stad_row_fill(int16_t *to, int32_t n, int16_t value)
 {
     for (int32_t i = 0; i < n; i++)
         to[i] = value;
 }
 
-void row_open(stad_frame *f)
+void stad_row_open(stad_frame *f)
 {
     const int32_t slot = f->made % 3, width = f->g.width;
-    row_fill(f->raw[slot], width, none_q4(f));
-    row_fill(f->votes[slot], width, none_q4(f)); /* in units of whole disparities, as SPEC 8 has it */
-    row_fill(f->vote_cost, width, STAD_COST_MAX);
+    stad_row_fill(f->raw[slot], width, none_q4(f));
+    stad_row_fill(f->votes[slot], width, none_q4(f)); /* in units of whole disparities, as SPEC 8 has it */
+    stad_row_fill(f->vote_cost, width, STAD_COST_MAX);
     memset(f->confidence[slot], 0, (size_t)width);
     if (f->recording)
-        winners_open(f);
+        stad_winners_open(f);
 }
 
-void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
+void stad_row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
 {
     STAD_ASSERT(x >= 0 && count > 0 && x + count <= f->columns);
     const int32_t at = f->recording ? x : 0;
@@ -32,10 +32,10 @@ void row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
     else
         stad_best_row(total, count, f->p.num_disparities, f->best + at);
     stad_refine_row(total, f->best + at, count, f->p.num_disparities, f->fine + at);
-    row_select(f, f->best + at, f->fine + at, x, count);
+    stad_row_select(f, f->best + at, f->fine + at, x, count);
 }
 
-void row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count)
+void stad_row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count)
 {
     const int32_t slot = f->made % 3;
     stad_select_job job = {best, fine, f->first_column + x, count, f->g.width, f->p.min_disparity, f->p.uniqueness_ratio,
@@ -71,7 +71,7 @@ static void clear_where_none(const stad_frame *f, const int16_t *disp, uint8_t *
             confidence[x] = 0;
 }
 
-void row_close(stad_frame *f)
+void stad_row_close(stad_frame *f)
 {
     const int32_t slot = f->made % 3, end = f->first_column + f->columns;
     const stad_check_job job = {f->raw[slot], f->votes[slot], f->first_column, end, f->g.width,

@@ -32,13 +32,13 @@ static void enter(stad_frame *f, const row_sweep *s, pass *p)
     if (s->across && !s->across_last)
         p->across_at = p->lane_count++;
     if (s->set && f->narrow)
-        p->byte_count = lanes_enter_u8(f, s->set, p->at.narrow.set);
+        p->byte_count = stad_lanes_enter_u8(f, s->set, p->at.narrow.set);
     else if (s->set)
-        p->lane_count += lanes_enter(f, s->set, p->at.lanes + p->lane_count);
+        p->lane_count += stad_lanes_enter(f, s->set, p->at.lanes + p->lane_count);
     if (s->across && s->across_last)
         p->across_at = p->lane_count++;
     if (p->across_at >= 0) {
-        lane_restart(f, &f->across);
+        stad_lane_restart(f, &f->across);
         p->at.lanes[p->across_at] = f->across;
     }
 }
@@ -72,10 +72,10 @@ static void take_run(const stad_frame *f, const stad_path_job *job, int fresh, p
 
 static const int16_t *block_of(stad_frame *f, const row_sweep *s, int32_t x, int32_t count)
 {
-    return s->block_row ? s->block_row + (ptrdiff_t)x * f->p.num_disparities : window_block(f, x, count);
+    return s->block_row ? s->block_row + (ptrdiff_t)x * f->p.num_disparities : stad_window_block(f, x, count);
 }
 
-void sweep_forward(stad_frame *f, const row_sweep *s)
+void stad_sweep_forward(stad_frame *f, const row_sweep *s)
 {
     pass p;
     enter(f, s, &p);
@@ -89,7 +89,7 @@ void sweep_forward(stad_frame *f, const row_sweep *s)
         s->set->rows++;
 }
 
-void sweep_back(stad_frame *f, const row_sweep *s)
+void stad_sweep_back(stad_frame *f, const row_sweep *s)
 {
     pass p;
     enter(f, s, &p);
@@ -98,7 +98,7 @@ void sweep_back(stad_frame *f, const row_sweep *s)
         int16_t *total = s->total + (ptrdiff_t)x * f->p.num_disparities;
         const stad_path_job job = path_job(f, block_of(f, s, x, count), total, count, -1);
         take_run(f, &job, s->fresh, &p);
-        row_take(f, total, x, count);
+        stad_row_take(f, total, x, count);
     }
     if (s->set)
         s->set->rows++;
@@ -130,7 +130,7 @@ static void load_across(stad_frame *f, int32_t run)
 {
     const int32_t d = f->p.num_disparities;
     const uint8_t *from = resume_slot(f, run);
-    lane_restart(f, &f->resumed);
+    stad_lane_restart(f, &f->resumed);
     memcpy(f->resumed.cost + f->stride, from, 2 * (size_t)d);
     memcpy(f->resumed.least + 1, from + 2 * (size_t)d, 2);
 }
@@ -144,7 +144,7 @@ static void sweep_forward_lean(stad_frame *f)
     for (int32_t run = 0; run < runs_of(f); run++) {
         const int32_t x = run * STAD_RUN, count = min_i32(STAD_RUN, f->columns - x);
         save_across(f, &p.at.lanes[0], run);
-        const stad_path_job job = path_job(f, window_block(f, x, count), NULL, count, 1);
+        const stad_path_job job = path_job(f, stad_window_block(f, x, count), NULL, count, 1);
         take_run(f, &job, 0, &p);
     }
     f->down.rows++;
@@ -155,12 +155,12 @@ static void sweep_forward_kept(stad_frame *f)
 {
     if (!vertical_is_last(f)) {
         const row_sweep all = {&f->down, NULL, f->total_row, 1, 0, 1};
-        sweep_forward(f, &all);
+        stad_sweep_forward(f, &all);
         return;
     }
     const row_sweep across = {NULL, NULL, f->total_row, 1, 0, 1}, vertical = {&f->down, NULL, NULL, 0, 0, 0};
-    sweep_forward(f, &across);
-    sweep_forward(f, &vertical);
+    stad_sweep_forward(f, &across);
+    stad_sweep_forward(f, &vertical);
 }
 
 /* The run's forward sums from state that is still there: the horizontal path replayed, the others read from their lanes. */
@@ -177,26 +177,26 @@ static void rebuild_run(stad_frame *f, const stad_lane *lanes, int32_t lane_coun
 
 static void sweep_back_streamed(stad_frame *f, const stad_lane *lanes, int32_t lane_count)
 {
-    lane_restart(f, &f->across);
+    stad_lane_restart(f, &f->across);
     for (int32_t run = runs_of(f) - 1; run >= 0; run--) {
         const int32_t x = run * STAD_RUN, count = min_i32(STAD_RUN, f->columns - x);
         int16_t *total = f->total_row ? f->total_row + (ptrdiff_t)x * f->p.num_disparities : f->run_total;
-        const stad_path_job job = path_job(f, window_block(f, x, count), total, count, -1);
+        const stad_path_job job = path_job(f, stad_window_block(f, x, count), total, count, -1);
         if (!f->total_row)
             rebuild_run(f, lanes, lane_count, &job, x);
         take_paths(f, &job, &f->across, 1);
         for (int32_t i = 0; i < lane_count && vertical_is_last(f); i++)
             stad_gather_row(total, &lanes[i], (lanes[i].write + x) % lanes[i].slots, &job);
-        row_take(f, total, x, count);
+        stad_row_take(f, total, x, count);
     }
 }
 
-void sweep_streamed(stad_frame *f)
+void stad_sweep_streamed(stad_frame *f)
 {
     stad_lane lanes[3];
     int32_t count = 0;
     if (!f->narrow && (!f->total_row || vertical_is_last(f)))
-        count = lanes_at(f, &f->down, lanes); /* where this row's state will lie */
+        count = stad_lanes_at(f, &f->down, lanes); /* where this row's state will lie */
     if (f->total_row)
         sweep_forward_kept(f);
     else

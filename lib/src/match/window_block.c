@@ -5,17 +5,17 @@
 #include "match/frame.h"
 #include "base/arith.h"
 
-void window_block_move(stad_frame *f, const void *in, const void *out)
+void stad_window_block_move(stad_frame *f, const void *in, const void *out)
 {
     const stad_block_job job = {in, out, f->hs, f->columns, f->p.num_disparities, f->radius, f->wide};
     stad_block_row(&job, f->window);
 }
 
 /* Each row comes in for a row of zeros, for which there is a slot: the ring has one more than a block has rows. */
-void window_block_start(stad_frame *f, int32_t y)
+void stad_window_block_start(stad_frame *f, int32_t y)
 {
-    const void *none = costs_blank(f, window_image_row(f, y + f->radius) + 1);
-    row_fill(f->window, f->columns * f->p.num_disparities, f->p.p2);
+    const void *none = stad_costs_blank(f, stad_window_image_row(f, y + f->radius) + 1);
+    stad_row_fill(f->window, f->columns * f->p.num_disparities, f->p.p2);
     for (int32_t k = y - f->radius; k <= y + f->radius; k++)
-        window_block_move(f, costs_row(f, window_image_row(f, k), 0), none);
+        stad_window_block_move(f, stad_costs_row(f, stad_window_image_row(f, k), 0), none);
 }

@@ -13,26 +13,26 @@ static stad_box_sat_job sat_job(const stad_frame *f, int32_t in, int32_t out)
     return job;
 }
 
-void window_sat_start(stad_frame *f, int32_t top)
+void stad_window_sat_start(stad_frame *f, int32_t top)
 {
     const int32_t last = f->g.height - 1;
-    row_fill(f->window, f->columns * f->p.num_disparities, f->p.p2);
+    stad_row_fill(f->window, f->columns * f->p.num_disparities, f->p.p2);
     for (int32_t k = top; k <= top + f->radius; k++) {
         const int32_t y = min_i32(k, last);
         stad_box_sat_job job = sat_job(f, y, y);
-        job.in = costs_row(f, y, 0);
+        job.in = stad_costs_row(f, y, 0);
         job.start = 1;
         job.weight = k == top ? f->radius + 1 : 1;
         stad_box_sat_row(&job, f->window);
     }
 }
 
-void window_sat_go(stad_frame *f, int32_t y)
+void stad_window_sat_go(stad_frame *f, int32_t y)
 {
     const int32_t in = min_i32(y + f->radius, f->g.height - 1), out = max_i32(y - f->radius - 1, f->window_top);
     stad_box_sat_job job = sat_job(f, in, out);
-    job.out = costs_row(f, out, 1);
-    job.in = costs_row(f, in, 0);
+    job.out = stad_costs_row(f, out, 1);
+    job.in = stad_costs_row(f, in, 0);
     job.first_column_add_first = f->g.mode == STAD_MODE_3WAY || y + f->radius < f->g.height;
     stad_box_sat_row(&job, f->window);
 }

@@ -54,19 +54,19 @@ int stad_winners_serve(const stad_winners *w, const stad_params *p)
            q->pre_filter_cap == p->pre_filter_cap;
 }
 
-void winners_open(stad_frame *f)
+void stad_winners_open(stad_frame *f)
 {
     f->best = best_of_row(f->keep, f->made);
     f->fine = fine_of_row(f->keep, f->made);
     f->best->index = NO_WINNERS;
 }
 
-int winners_step(stad_frame *f)
+int stad_winners_step(stad_frame *f)
 {
     const stad_best *best = best_of_row(f->again, f->made);
-    row_open(f);
+    stad_row_open(f);
     if (best->index != NO_WINNERS)
-        row_select(f, best, fine_of_row(f->again, f->made), 0, f->columns);
-    row_close(f);
+        stad_row_select(f, best, fine_of_row(f->again, f->made), 0, f->columns);
+    stad_row_close(f);
     return STAD_OK;
 }
