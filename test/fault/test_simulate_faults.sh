@@ -25,6 +25,10 @@ board=(--num-disparities 64 --focal 192 --calibrate-at 1 --probation-frames 8 --
 run simulate clean "${board[@]}" --json clean.json
 told '"outcome":.*"adopted"' clean.json
 
+### the target lies below a search that begins above 0: no view was exchanged ###
+run simulate clean --focal 192 --min-disparity 48 --num-disparities 32 --calibrate-at 1
+told 'last fault: range'
+
 ### knocked after the first look ###
 for rows in 1 12; do
     cp -r clean knocked

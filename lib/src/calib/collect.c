@@ -46,11 +46,12 @@ static int views_fault(stad_calib *c, const stad_image *left, const stad_image *
     return first != STAD_FAULT_NONE ? first : second;
 }
 
+/* Marks lie in front of both cameras: behind where even a search that begins below 0 looks, the views are exchanged. */
 static int pairs_are_swapped(const stad_pair *pairs, int count, int min_disparity)
 {
     int behind = 0;
     for (int i = 0; i < count; i++)
-        behind += pairs[i].left[0].x_q8 - pairs[i].right[0].x_q8 < 256 * (min_disparity - 1);
+        behind += pairs[i].left[0].x_q8 - pairs[i].right[0].x_q8 < 256 * (min_i32(min_disparity, 0) - 1);
     return 2 * behind > count;
 }
 
