@@ -6,7 +6,8 @@
     STAD_DATA=... tools/study/sharing.py --matches [--cost bad]
 
 Both searches must ask for the same points. Processor seconds of the whole process, pictures read and all, the least of the rounds,
-the two in turn; `matches`: `stad bench` at the scene's size, times the evaluations. `served`: points that differ from one of
+the two in turn; `alone`: of the evaluations alone, what a search of one point takes left out; `matches`: `stad bench` at the scene's
+size, times the evaluations. `served`: points that differ from one of
 the last eight in uniqueness_ratio and disp12_max_diff alone.
 
 --matches: what settling costs. ncg with and without, 150 evaluations on every scene at its own size: medians of the evaluations, and
@@ -84,22 +85,24 @@ def measure(args, place, json_path):
     truth = truth if os.path.exists(truth) else os.path.join(folder, "disp.png")
     mask = os.path.join(folder, "nonocc.png")
     command = [args.stad, "tune", os.path.join(folder, "left.png"), os.path.join(folder, "right.png"), "--truth", truth, "--cost", args.cost,
-               "--num-disparities", str(args.disparities), "--max-evals", str(args.evals), "--json", json_path]
+               "--num-disparities", str(args.disparities), "--json", json_path]
     command += ["--mask", mask] if os.path.exists(mask) else []
     meta = {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json")))}[place]
     bench = [args.stad, "bench", "--mode", "sgbm", "--width", str(meta["W"]), "--height", str(meta["H"]), "--num-disparities", str(args.disparities),
              "--frames", "15"]
-    times, traces, frames = {0: [], 8: []}, {}, []
+    times, traces, frames, single = {0: [], 8: []}, {}, [], []
     for _ in range(args.rounds):
+        single.append(run(command + ["--max-evals", "1"])[1])
         for share in times:
-            times[share].append(run(command + ["--share", str(share)])[1])
+            times[share].append(run(command + ["--max-evals", str(args.evals), "--share", str(share)])[1])
             traces[share] = json.load(open(json_path))["trace"]
         frames.append(float(run(bench)[0].split(" ms")[0].split()[-1]) / 1000)
     assert traces[0] == traces[8], "sharing changed the search"
     without, shared, plain = min(times[0]), min(times[8]), min(frames) * len(traces[0])
-    print(f"| {place.split('/')[-1]} {meta['W']} x {meta['H']} | {len(traces[0])} | {served(args.cost, traces[8])} | {plain:.2f} | {without:.2f} | {shared:.2f} | "
-          f"{shared / without:.2f} | {shared / plain:.2f} |", flush=True)
-    return shared / without, shared / plain
+    alone = (shared - min(single)) * len(traces[0]) / (len(traces[0]) - 1)
+    print(f"| {place.split('/')[-1]} {meta['W']} x {meta['H']} | {len(traces[0])} | {served(args.cost, traces[8])} | {plain:.2f} | {without:.2f} | {shared:.2f} | {alone:.2f} | "
+          f"{shared / without:.2f} | {shared / plain:.2f} | {alone / plain:.2f} |", flush=True)
+    return shared / without, shared / plain, alone / plain
 
 
 def main():
@@ -114,11 +117,11 @@ def main():
     args = a.parse_args()
     if args.matches:
         return settling(args.cost)
-    print("| scene | points | served | matches s | without s | with s | with / without | with / matches |\n|---|---|---|---|---|---|---|---|")
+    print("| scene | points | served | matches s | without s | with s | alone s | with / without | with / matches | alone / matches |\n|---|---|---|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as work:
         ratios = [measure(args, place, os.path.join(work, "tuned.json")) for place in args.scenes]
     mean = lambda column: math.exp(sum(math.log(r[column]) for r in ratios) / len(ratios))
-    print(f"| geometric mean |  |  |  |  |  | {mean(0):.2f} | {mean(1):.2f} |")
+    print(f"| geometric mean |  |  |  |  |  |  | {mean(0):.2f} | {mean(1):.2f} | {mean(2):.2f} |")
 
 
 if __name__ == "__main__":
