@@ -14,10 +14,11 @@ static int16_t least_of(const int16_t *total, int32_t disparities)
     return least;
 }
 
+/* The smallest d with this value, which some d has. */
 static int16_t first_with(const int16_t *total, int32_t disparities, int16_t value)
 {
     const uint16_t n = (uint16_t)whole_8(disparities); /* as wide as the cells */
-    int16_t first = STAD_COST_MAX;
+    int16_t first = (int16_t)(n - 1);
     for (uint16_t d = 0; d < n; d++) {
         const int16_t miss = (int16_t)((total[d] != value) * STAD_COST_MAX);
         first = min_i16(first, max_i16((int16_t)d, miss));
