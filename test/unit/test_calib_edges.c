@@ -2,43 +2,12 @@
  * unit/test_calib_edges.c - parts of the loop by themselves, at values that rendered frames do not bring about. */
 #include <string.h>
 
-#include "calib/calib_parts.h"
-#include "unity.h"
-
-#define POINTS(p) ((int32_t)((p) * (STAD_COST_ONE / 100)))
-
-static stad_calib calib;
-static stad_calib_config config;
-static stad_setup setup;
-
-void setUp(void)
-{
-    const stad_geometry g = {320, 240, 1, 64, 11, 4096, 127, STAD_MODE_SGBM, STAD_MEMORY_FAST};
-    const stad_camera camera = {256 * 200, 256 * 160, 256 * 120};
-    stad_calib_config_default(&config, &g, stad_target_relief(), &camera);
-    memset(&setup, 0, sizeof setup);
-    setup.width = 320;
-    setup.height = 240;
-    setup.channels = 1;
-    stad_params_sample(&setup.params, 64, 3, 1);
-    stad_rig_identity(&setup.rig, 320, 240);
-    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
-}
-
-void tearDown(void)
-{
-}
+#include "support/calib_pump.h"
 
 static void begin_trial(void)
 {
-    const stad_plane plane = {0, 0, 20 * 65536};
-    const stad_polygon where = {4, {{80 * 256, 20 * 256}, {300 * 256, 20 * 256}, {300 * 256, 220 * 256}, {80 * 256, 220 * 256}}};
     TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
-    for (int i = 0; i < 2; i++) {
-        stad_truth_init(&calib.pose[i].truth, 320, 240, 0, 64, 1);
-        TEST_ASSERT_EQUAL(STAD_OK, stad_truth_add_plane(&calib.pose[i].truth, &plane, &where));
-        calib.pose[i].box = stad_truth_box(&calib.pose[i].truth);
-    }
+    hold_poses();
     stad_calib_trial_begin(&calib);
 }
 
@@ -200,6 +169,75 @@ static void test_calib_strict_rule_takes_the_better_of_both(void)
     TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, stad_calib_report_of(&calib)->outcome);
 }
 
+static int refused(void)
+{
+    return stad_calib_init(&calib, &config, &setup) == STAD_E_PARAM;
+}
+
+#define REFUSES(object, field, value)                                                                        \
+    do {                                                                                                     \
+        setUp();                                                                                             \
+        object.field = value;                                                                                \
+        TEST_ASSERT_TRUE_MESSAGE(refused(), #field " = " #value);                                            \
+    } while (0)
+
+void test_calib_config_out_of_range_is_refused(void)
+{
+    REFUSES(config, geometry.width, 0);
+    REFUSES(config, target, NULL);
+    REFUSES(config, margin_px, -1);
+    REFUSES(config, margin_px, 17);
+    REFUSES(config, pose_px, -1);
+    REFUSES(config, patience, 0);
+    REFUSES(config, probation_frames, -1);
+    REFUSES(config, budget, 3);
+    REFUSES(config, budget, STAD_TUNE_LOG + 1);
+    REFUSES(config, min_block_size, 2);
+    REFUSES(config, min_block_size, 13);
+    REFUSES(config, threshold_q16, -1);
+    REFUSES(config, penalty_q16, 65537);
+    REFUSES(config, gain_q20, -1);
+    REFUSES(config, cost, STAD_SCORE_D1);
+    REFUSES(config, rule, 3);
+    REFUSES(config, monitor.learn_frames, 0);
+    REFUSES(setup, width, 321);
+    REFUSES(setup, mode, STAD_MODE_HH);
+    REFUSES(setup, channels, 3);
+    REFUSES(setup, params.block_size, 13);
+    REFUSES(setup, params.p1, 0);
+    setUp();
+}
+
+/* -- the rule's numbers ------------------------------------------------------------------------------------------ */
+
+void test_calib_penalty_is_nothing_at_the_start(void)
+{
+    stad_point x = stad_calib_point_of(&setup.params), y = x;
+    TEST_ASSERT_EQUAL(POINTS(20), stad_calib_penalised(&x, &x, POINTS(20), 655));
+    y.v[STAD_TUNE_P1] = (int16_t)(4 * y.v[STAD_TUNE_P1]); /* two octaves: (20 + 1) * 1.04 - 1 = 20.84 */
+    TEST_ASSERT_INT_WITHIN(POINTS(0.01), POINTS(20.84), stad_calib_penalised(&x, &y, POINTS(20), 655));
+    y = x;
+    y.v[STAD_TUNE_UNIQUENESS_RATIO] = 26; /* two eights */
+    TEST_ASSERT_INT_WITHIN(POINTS(0.01), POINTS(20.84), stad_calib_penalised(&x, &y, POINTS(20), 655));
+    TEST_ASSERT_EQUAL(STAD_COST_FAILED, stad_calib_penalised(&x, &y, STAD_COST_FAILED, 655));
+    TEST_ASSERT_LESS_THAN(STAD_COST_FAILED, stad_calib_penalised(&x, &y, STAD_COST_FAILED - 1, 65536));
+}
+
+void test_calib_penalty_of_a_block_with_its_area_is_nothing(void)
+{
+    stad_point x = {{72, 288, 3, 10, 63, 1}}, y = {{200, 800, 5, 10, 63, 1}};
+    TEST_ASSERT_INT_WITHIN(POINTS(0.01), POINTS(20), stad_calib_penalised(&x, &y, POINTS(20), 655));
+}
+
+void test_calib_margin_is_two_points_or_three_deviations(void)
+{
+    TEST_ASSERT_EQUAL(POINTS(2), stad_calib_margin(POINTS(20), 1000000, POINTS(2)));
+    /* 3 sqrt(.2 .8 / (20000 / 100)) = .0849 */
+    TEST_ASSERT_INT_WITHIN(POINTS(0.01), POINTS(8.485), stad_calib_margin(POINTS(20), 20000, POINTS(2)));
+    TEST_ASSERT_EQUAL(STAD_COST_ONE, stad_calib_margin(POINTS(50), 0, POINTS(2)));
+    TEST_ASSERT_EQUAL(POINTS(2), stad_calib_margin(STAD_COST_FAILED, 20000, POINTS(2)));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -211,5 +249,9 @@ int main(void)
     RUN_TEST(test_calib_presets_below_the_smallest_block_are_not_tried);
     RUN_TEST(test_calib_rule_none_takes_what_the_tuning_frame_likes);
     RUN_TEST(test_calib_strict_rule_takes_the_better_of_both);
+    RUN_TEST(test_calib_config_out_of_range_is_refused);
+    RUN_TEST(test_calib_penalty_is_nothing_at_the_start);
+    RUN_TEST(test_calib_penalty_of_a_block_with_its_area_is_nothing);
+    RUN_TEST(test_calib_margin_is_two_points_or_three_deviations);
     return UNITY_END();
 }
