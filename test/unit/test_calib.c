@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "support/calib_pump.h"
+#include "calib_pump.h"
 
 typedef int32_t cost_fn(const stad_request *r);
 

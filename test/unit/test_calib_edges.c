@@ -2,7 +2,7 @@
  * unit/test_calib_edges.c - parts of the loop by themselves, at values that rendered frames do not bring about. */
 #include <string.h>
 
-#include "support/calib_pump.h"
+#include "calib_pump.h"
 
 static void begin_trial(void)
 {

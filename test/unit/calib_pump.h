@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
- * support/calib_pump.h - a pump without pixels: what a test of its decisions begins with. Include it once in a program. */
-#ifndef TEST_SUPPORT_CALIB_PUMP_H
-#define TEST_SUPPORT_CALIB_PUMP_H
+ * unit/calib_pump.h - a pump without pixels: what a test of its decisions begins with. Include it once in a program. */
+#ifndef TEST_UNIT_CALIB_PUMP_H
+#define TEST_UNIT_CALIB_PUMP_H
 
 #include <string.h>
 
