@@ -4,16 +4,17 @@
 
     tools/study/marks/run corners [--frames N]
 
-The first line is the way of lib/src/mark/mark_edge.c written once more in floating point; each other line changes it in what its name
-says. Every way starts from the detector's own corners. `turned`: libapriltag's mean over the picture's four quarter turns, which
-takes a part of its own error away. Before the table: libapriltag's way written once more, from its own unrefined corners, and the same
-with pixels interpolated."""
+The first way is that of lib/src/mark/mark_edge.c written once more in floating point; each other one changes it in what its name says.
+Every way starts from the detector's own corners. Before the table: the way of libapriltag 3.3.0 written once more, from its own unrefined
+corners, and the same with pixels interpolated."""
 import argparse
 import os
 
+import agree
 import cv2
 import figures
 import numpy as np
+from agree import PICTURES, cell, far, rendered
 
 # Normals a side at most, part of a side left out at its ends, px looked at on each side, px between samples, px from a sample to each of
 # the two whose difference is its gradient, power of the gradient that weighs, passes, px by which a later pass is narrower; then: points
@@ -154,48 +155,28 @@ def refine(image, corners, mark, **change):
     return corners
 
 
-def far(a, b):
-    return np.concatenate([np.linalg.norm(a[k] - b[k], axis=1) for k in a if k in b])
-
-
-def cell(d):
-    return f'{d.mean():.3f}/{d.max():.3f}'
-
-
-def rendered(side, noise, psf, frames):
-    wide = side > 40
-    w, h, f = (640, 480, 704) if wide else (320, 240, 352)
-    rng, views = np.random.default_rng(side * 100 + noise), []
-    while len(views) < frames:
-        s = figures.scene(width=w, height=h, f=f, z=f * 48 / side, psf=psf, pitch=rng.uniform(-.5, .5), yaw=rng.uniform(-.5, .5),
-                          turn=rng.uniform(-.35, .35), x=rng.uniform(10, 50), y=rng.uniform(-10, 10), seed=len(views) + 1)
-        left, _, _, _, _, corners = figures.render(s)
-        if figures.visible(corners, w, h, 1.25 * side / 8 + 2):
-            image = figures.expose(left, noise, 2 * len(views) + 9)
-            views.append((image, figures.find(image), figures.find(image, True), dict(enumerate(corners[:, :, :2]))))
-    return views
-
-
 def main(frames):
+    agree.drop_missing()
     real = []
-    for name in figures.PICTURES if os.path.exists(figures.PICTURES[0]) else []:
+    for name in PICTURES if os.path.exists(PICTURES[0]) else []:
         image = cv2.imread(name, cv2.IMREAD_GRAYSCALE)
-        real.append((image, figures.find(image), figures.find(image, True), figures.turned_mean(image, True)))
-    for name, (image, ours, theirs, _) in zip(figures.PICTURES, real):
+        real.append((image, figures.find(image), [finds(image) for finds in agree.REFERENCES.values()]))
+        image, ours, theirs = real[-1]
         rough = figures.find(image, True, refined=False)
         nearest, between = ({k: refine(image, v, k, **THEIRS, nearest=n) for k, v in rough.items()} for n in (1, 0))
-        print(f'{os.path.basename(name)}: libapriltag to ours {cell(far(ours, theirs))}; its way written once more {cell(far(nearest, theirs))}; '
-              f'with pixels interpolated {cell(far(between, theirs))}, that to ours {cell(far(between, ours))}')
+        print(f'{os.path.basename(name)}: the way of 3.3.0 written once more, to it {cell(far(nearest, theirs[0]))}; with pixels interpolated '
+              f'{cell(far(between, theirs[0]))}, to 3.4.3 {cell(far(between, theirs[-1]))}, to ours {cell(far(between, ours))}')
     synthetic = [rendered(*s, frames) for s in ((32, 3, .8), (24, 6, 1.2), (48, 3, .8))]
-    print('each: mean / largest distance, px. Real pictures: to libapriltag, to its mean over turns. Rendered: to the truth (32 px noise 3, '
-          '24 px noise 6, 48 px noise 3)')
-    truth = [np.concatenate([far(theirs, c) for _, _, theirs, c in views]) for views in synthetic]
-    print(f"{'libapriltag':28s} | rendered", *(cell(d) for d in truth))
+    print('each: mean / largest distance, px. All corners of the real pictures, and how many are above 0.1: to', ', to '.join(agree.REFERENCES),
+          '| rendered, to the truth: 32 px noise 3, 24 px noise 6, 48 px noise 3')
+    for name, finds in agree.REFERENCES.items():
+        print(f'{name:28s} |', *(cell(np.concatenate([far(finds(v[0]), v[3]) for v in views])) for views in synthetic))
     for name, change in WAYS.items():
         columns = []
-        for image, ours, theirs, turned in real:
-            mine = {k: refine(image, v, k, **change) for k, v in ours.items()}
-            columns += [cell(d) for d in (far(mine, theirs), far(mine, turned))] + ['|']
+        mine = [{k: refine(image, v, k, **change) for k, v in ours.items()} for image, ours, _ in real]
+        for i in range(len(agree.REFERENCES) if real else 0):
+            d = np.concatenate([far(m, r[2][i]) for m, r in zip(mine, real)])
+            columns.append(f'{cell(d)}, {(d > .1).sum()} |')
         for views in synthetic:
             d = np.concatenate([far({k: refine(i, v, k, **change) for k, v in ours.items()}, c) for i, ours, _, c in views])
             columns.append(cell(d))

@@ -4,9 +4,9 @@
 
     tools/study/marks/run [SECTION ...] [--data DIR] [--frames N]
 
-Sections: size detect clutter images agree time truth rig chessboard. Without any: all. Frames are rendered with fixed seeds; `images`,
-`rig` and `chessboard` read the open scenes of DIR (MANIFEST.json) and are skipped without it, `agree` Debian's visp-images-data. The
-comparison is libapriltag with full resolution, one thread and the same 2 bits of correction."""
+Sections: size detect clutter images time truth rig chessboard. Without any: all. Frames are rendered with fixed seeds; `images`, `rig`
+and `chessboard` read the open scenes of DIR (MANIFEST.json) and are skipped without it. The comparison is libapriltag with full
+resolution, one thread and the same 2 bits of correction; corners on real pictures: agree.py."""
 import argparse
 import ctypes as C
 import glob
@@ -21,8 +21,6 @@ import cv2
 import numpy as np
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..'))
-VISP = '/usr/share/visp-images-data/ViSP-images/AprilTag/'
-PICTURES = [VISP + f for f in ('AprilTag.pgm', 'benchmark/640x480/tag36_11_640x480.png', 'benchmark/1920x1080/tag36_11_1920x1080.png')]
 
 
 def build():
@@ -69,12 +67,12 @@ def expose(grey, noise, seed, black=30, white=220):
     return out
 
 
-def find(image, reference=False, refined=True):
-    rows, image = np.zeros((64, 10)), np.ascontiguousarray(image)
+def find(image, reference=False, refined=True, decimate=1, sigma=0):
+    rows, image = np.zeros((64, 10)), np.array(image, order='C')  # a copy: libapriltag blurs in place
     call = LIB.study_find_reference if reference else LIB.study_find
-    LIB.study_reference_refines(refined)
+    LIB.study_reference_settings(refined, C.c_double(decimate), C.c_double(sigma))
     count = call(ptr(image), image.shape[1], image.shape[0], ptr(rows), 64)
-    return {int(r[0]): r[2:].reshape(4, 2) for r in rows[:count]}
+    return {int(r[0]): r[2:].reshape(4, 2) for r in rows[:max(count, 0)]}
 
 
 # ---------------------------------------------------------------------------------------------------------------------------
@@ -167,49 +165,6 @@ def images():
             continue
         looked, found = looked + 1, found + len(find(image))
     print(f'images  {found} marks in {looked} images of the open scenes')
-
-
-def quarter_turns(image, reference):
-    """Corners found in the picture turned by 0, 90, 180 and 270 degrees, turned back."""
-    h, w = image.shape
-    back = (lambda x, y: (x, y), lambda x, y: (w - 1 - y, x), lambda x, y: (w - 1 - x, h - 1 - y), lambda x, y: (y, h - 1 - x))
-    found = {}
-    for turn in range(4):
-        for k, corners in find(np.ascontiguousarray(np.rot90(image, turn)), reference).items():
-            found.setdefault(k, []).append(np.stack(back[turn](corners[:, 0], corners[:, 1]), axis=1))
-    return found
-
-
-def turned_mean(image, reference):
-    return {k: np.mean(v, axis=0) for k, v in quarter_turns(image, reference).items()}
-
-
-def agree():
-    """Corners beside libapriltag's; libapriltag's beside its own in the picture turned, and in the picture enlarged, where its looking up
-    of whole pixels costs less."""
-    if not os.path.exists(PICTURES[0]):
-        return print('agree   SKIPPED: visp-images-data is not installed')
-
-    def far(a, b):
-        d = np.concatenate([np.linalg.norm(a[k] - b[k], axis=1) for k in a if k in b])
-        return f'mean {d.mean():.3f} max {d.max():.3f} px, {(d > .1).sum()} of {len(d)} above 0.1'
-
-    for name in PICTURES:
-        image = cv2.imread(name, cv2.IMREAD_GRAYSCALE)
-        ours, theirs = find(image), find(image, True)
-        print(f'agree   {os.path.basename(name)}: {len(ours)} marks, libapriltag {len(theirs)}, same identities '
-              f'{sorted(ours) == sorted(theirs)}; corners {far(ours, theirs)}')
-        for who, reference in (('ours', False), ('libapriltag', True)):
-            turns = quarter_turns(image, reference)
-            for turn in (1, 2, 3):
-                print(f'agree     {who} in the picture turned by {90 * turn} degrees, to its own: '
-                      f'{far({k: v[turn] for k, v in turns.items()}, {k: v[0] for k, v in turns.items()})}')
-        print(f'agree     ours to the mean of libapriltag over the turns: {far(ours, turned_mean(image, True))}')
-        for times in (2, 3, 4):
-            large = cv2.resize(image, None, fx=times, fy=times, interpolation=cv2.INTER_CUBIC)
-            sharper = {k: (v + .5) / times - .5 for k, v in find(large, True).items()}
-            print(f'agree     to libapriltag in the picture enlarged {times} times: ours {far(ours, sharper)}; '
-                  f'libapriltag {far(theirs, sharper)}')
 
 
 def time():
@@ -377,8 +332,7 @@ def chessboard():
               f'median, {100 * ((m < low) | (abs(m - truth_px) > 1))[label == 1].mean():.1f} % bad')
 
 
-SECTIONS = dict(size=size, detect=detect, clutter=clutter, images=images, agree=agree, time=time, truth=truth, rig=rig,
-                chessboard=chessboard)
+SECTIONS = dict(size=size, detect=detect, clutter=clutter, images=images, time=time, truth=truth, rig=rig, chessboard=chessboard)
 
 if __name__ == '__main__':
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -23,11 +23,14 @@ static void reference_open(void)
     detector->quad_decimate = 1;
 }
 
-/* Whether libapriltag refines its corners in the grey image, as it does by default. */
-void study_reference_refines(int on)
+/* Whether libapriltag refines its corners in the grey image, as it does by default; by how much it reduces the picture to look for
+ * quads, which widens the refinement too; and the blur in which it looks. */
+void study_reference_settings(int refines, double decimate, double sigma)
 {
     reference_open();
-    detector->refine_edges = on;
+    detector->refine_edges = refines;
+    detector->quad_decimate = (float)decimate;
+    detector->quad_sigma = (float)sigma;
 }
 
 int study_bytes(int width, int height)
