@@ -70,6 +70,7 @@ void feature_chain(void)
     feature_match();
     feature_store();
     sink = stad_calib_init(any, any, any);
+    sink = stad_calib_live(any, any, any);
     sink = stad_calib_counts(any, any);
     sink = stad_calib_want(any, any);
     sink = stad_calib_frame(any, any, any, any, (size_t)sink);

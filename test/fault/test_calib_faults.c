@@ -32,6 +32,10 @@ static void expect_fault(void (*make)(void), int fault, int outcome)
     TEST_ASSERT_EQUAL(STAD_CALIB_IDLE, stad_calib_report_of(&calib)->phase);
     TEST_ASSERT_EQUAL(outcome, stad_calib_report_of(&calib)->outcome);
     TEST_ASSERT_EQUAL_MEMORY(&setup, stad_calib_setup(&calib), sizeof setup);
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->tune_before_q20); /* nothing was measured */
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->tune_after_q20);
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->judge_before_q20);
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->judge_after_q20);
 }
 
 void test_calib_black_cameras_are_told(void)
@@ -79,6 +83,56 @@ void test_calib_swapped_cameras_are_told(void)
     expect_fault(make_swapped, STAD_FAULT_SWAPPED, STAD_CALIB_FAULT);
 }
 
+void test_calib_one_camera_for_both_views_is_told(void)
+{
+    expect_fault(make_same, STAD_FAULT_SAME, STAD_CALIB_FAULT);
+}
+
+/* A live frame of a board that looks for no marks at all. */
+static int live_fault(void (*make)(void))
+{
+    const stad_image left = stad_image_packed(left_pix, W, H, 1), right = stad_image_packed(right_pix, W, H, 1);
+    make();
+    return stad_calib_live(&calib, &left, &right);
+}
+
+void test_calib_live_frames_tell_of_the_cameras_at_once(void)
+{
+    const stad_image view = stad_image_packed(left_pix, W, H, 1), low = stad_image_packed(left_pix, W, H - 1, 1);
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
+    TEST_ASSERT_EQUAL(STAD_FAULT_NONE, live_fault(make_with_target));
+    TEST_ASSERT_EQUAL(STAD_FAULT_BLACK, live_fault(make_black));
+    TEST_ASSERT_EQUAL(STAD_FAULT_BLACK, live_fault(make_left_black));
+    TEST_ASSERT_EQUAL(STAD_FAULT_SATURATED, live_fault(make_saturated));
+    TEST_ASSERT_EQUAL(STAD_FAULT_FLAT, live_fault(make_right_dead));
+    TEST_ASSERT_EQUAL(STAD_FAULT_SAME, live_fault(make_same));
+    TEST_ASSERT_EQUAL(STAD_FAULT_NONE, live_fault(make_frozen)); /* the first of them cannot be known */
+    TEST_ASSERT_EQUAL(STAD_FAULT_FROZEN, live_fault(make_frozen));
+    TEST_ASSERT_EQUAL(STAD_FAULT_NONE, live_fault(make_with_target));
+    TEST_ASSERT_EQUAL(STAD_FAULT_LATE, stad_calib_live(&calib, &view, NULL));
+    TEST_ASSERT_EQUAL(STAD_FAULT_SIZE, stad_calib_live(&calib, &view, &low));
+    TEST_ASSERT_EQUAL(STAD_CALIB_IDLE, stad_calib_report_of(&calib)->phase);
+    TEST_ASSERT_EQUAL(STAD_FAULT_NONE, stad_calib_report_of(&calib)->fault);
+}
+
+void test_calib_stale_buffers_in_turns_are_told(void)
+{
+    for (int turns = 1; turns <= STAD_CALIB_SEEN; turns++) {
+        TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
+        for (int i = 0; i < 3 * turns; i++) {
+            const stad_image left = stad_image_packed(shots[i % turns][0], W, H, 1),
+                             right = stad_image_packed(shots[i % turns][1], W, H, 1);
+            TEST_ASSERT_EQUAL(i < turns ? STAD_FAULT_NONE : STAD_FAULT_FROZEN, stad_calib_live(&calib, &left, &right));
+        }
+    }
+}
+
+void test_calib_live_frame_may_be_looked_at_for_marks_too(void)
+{
+    TEST_ASSERT_EQUAL(STAD_FAULT_NONE, live_fault(make_with_target));
+    TEST_ASSERT_EQUAL(1, give());
+}
+
 void test_calib_shifted_rows_are_told(void)
 {
     expect_fault(make_rows_shifted, STAD_FAULT_RIG, STAD_CALIB_RIG_FAILED);
@@ -109,6 +163,21 @@ void test_calib_target_out_of_range_is_told(void)
     expose(NEAR_POSE);
     TEST_ASSERT_EQUAL(STAD_E_NO_MARK, give());
     TEST_ASSERT_EQUAL(STAD_FAULT_RANGE, stad_calib_report_of(&calib)->fault);
+}
+
+void test_calib_scheduled_look_tells_a_target_out_of_range(void)
+{
+    config.geometry.max_disparities = 16;
+    setup.params.num_disparities = 16;
+    config.monitor.mark_every = 2;
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
+    live(800);
+    live(800);
+    TEST_ASSERT_EQUAL(STAD_CALIB_LOOK, stad_calib_report_of(&calib)->phase);
+    expose(NEAR_POSE);
+    TEST_ASSERT_EQUAL(STAD_E_NO_MARK, give());
+    TEST_ASSERT_EQUAL(STAD_FAULT_RANGE, stad_calib_report_of(&calib)->fault);
+    TEST_ASSERT_EQUAL(STAD_CALIB_NO_MARKS, stad_calib_report_of(&calib)->outcome);
 }
 
 void test_calib_wrong_focal_length_is_told(void)
@@ -273,10 +342,15 @@ int main(void)
     RUN_TEST(test_calib_frozen_cameras_are_told);
     RUN_TEST(test_calib_still_recordings_are_allowed_when_asked_for);
     RUN_TEST(test_calib_swapped_cameras_are_told);
+    RUN_TEST(test_calib_one_camera_for_both_views_is_told);
+    RUN_TEST(test_calib_live_frames_tell_of_the_cameras_at_once);
+    RUN_TEST(test_calib_stale_buffers_in_turns_are_told);
+    RUN_TEST(test_calib_live_frame_may_be_looked_at_for_marks_too);
     RUN_TEST(test_calib_shifted_rows_are_told);
     RUN_TEST(test_calib_torn_frame_is_refused);
     RUN_TEST(test_calib_no_target_is_told);
     RUN_TEST(test_calib_target_out_of_range_is_told);
+    RUN_TEST(test_calib_scheduled_look_tells_a_target_out_of_range);
     RUN_TEST(test_calib_wrong_focal_length_is_told);
     RUN_TEST(test_calib_wrong_size_is_told);
     RUN_TEST(test_calib_tuning_frame_that_deceives_adopts_nothing);

@@ -152,6 +152,11 @@ void make_swapped(void)
     memcpy(left_pix, right_pix, PIXELS);
     memcpy(right_pix, keep, PIXELS);
 }
+void make_same(void)
+{
+    expose(NEAR_POSE);
+    memcpy(right_pix, left_pix, PIXELS);
+}
 void make_rows_shifted(void)
 {
     expose(NEAR_POSE);

@@ -51,6 +51,7 @@ void make_right_dead(void);
 void make_frozen(void);
 void make_left_frozen(void);
 void make_swapped(void);
+void make_same(void);
 void make_rows_shifted(void);
 void make_torn(void);
 void make_with_target(void);

@@ -5,6 +5,7 @@
  * The application drives. stad_calib_want() says what is needed next; the application does it when it has the time, and reports; no call
  * blocks, calls back or does more than one frame's work:
  *
+ *     fault = stad_calib_live(&c, &left, &right);                      every live frame, to be told at once
  *     stad_calib_counts(&c, stad_match_counts_of(&m));                 every live frame
  *     switch (stad_calib_want(&c, &r)) {
  *     case STAD_WANT_NOTHING: break;
@@ -150,7 +151,8 @@ enum stad_calib_fault {
     STAD_FAULT_RIG = 9,       /* rows do not agree and no small correction makes them, or not as at the run's start */
     STAD_FAULT_SIZE = 10,     /* not the geometry's size */
     STAD_FAULT_CAMERA = 11,   /* the marks make no rectangular sheet in space: a wrong focal length or principal point */
-    STAD_FAULT_MOVING = 12    /* CONFIRM: hold the target still; a moving one tells of views that come late, not of the rig */
+    STAD_FAULT_MOVING = 12,   /* CONFIRM: hold the target still; a moving one tells of views that come late, not of the rig */
+    STAD_FAULT_SAME = 13      /* left and right are the same picture: one camera feeds both */
 };
 
 /* What the calibration says of itself. Costs are Q20. */
@@ -165,8 +167,8 @@ typedef struct stad_calib_report {
     int8_t tuned;           /* 1: the chosen set came from tuning, 0: from the ladder or it is the old one */
     int8_t save_status;     /* of the last save */
     int16_t evaluations;    /* of this run */
-    int32_t tune_before_q20, tune_after_q20;   /* cost on the tuning frame: set in use, set chosen */
-    int32_t judge_before_q20, judge_after_q20; /* cost on the other pose */
+    int32_t tune_before_q20, tune_after_q20;   /* cost on the tuning frame: set in use, set chosen; -1 = not measured */
+    int32_t judge_before_q20, judge_after_q20; /* cost on the other pose; -1 = not measured */
     stad_rig_report rig;                       /* of the last fit */
 } stad_calib_report;
 
@@ -186,8 +188,7 @@ typedef struct stad_calib_pose {
 
 /* What the health check remembers of a view. */
 typedef struct stad_calib_view {
-    uint32_t hash[STAD_CALIB_SEEN]; /* of the last pictures */
-    int32_t seen, next;             /* how many there are; which is overwritten next */
+    uint32_t hash[STAD_CALIB_SEEN]; /* of the last pictures, the latest first; 0 = none yet */
 } stad_calib_view;
 
 /* Private; read it through the calls. */
@@ -196,7 +197,8 @@ typedef struct stad_calib {
     stad_monitor monitor;     /* of the live frames */
     stad_setup active, previous, candidate; /* setups: in use, to roll back to, on trial */
     stad_calib_pose pose[2]; /* the held pairs */
-    stad_calib_view view[2]; /* left, right */
+    stad_calib_view view[2]; /* left, right: of frames that were wanted */
+    stad_calib_view live[2]; /* of those that stad_calib_live() was shown */
     stad_pair pool[STAD_CALIB_POOL + STAD_CALIB_PAIRS]; /* raw */
     stad_calib_report report; /* stad_calib_report_of() */
     stad_tune tune;           /* the search */
@@ -225,6 +227,12 @@ int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_s
 
 /* One live frame's counters, matched with the setup in use. Returns the monitor's answer. */
 int stad_calib_counts(stad_calib *c, const stad_match_counts *counts);
+
+/* What is wrong with a live frame, told at once: enum stad_calib_fault, one of NONE, LATE (a view is NULL), SIZE, BLACK,
+ * SATURATED, FLAT, FROZEN, SAME. Looks at 1 pixel in 16 of both raw views, far less than a match takes. It tells and no
+ * more: whether such a frame is matched and counted is the application's choice. What takes marks to see (SWAPPED,
+ * RANGE, RIG) is told by runs and scheduled looks, which check their frames by themselves. */
+int stad_calib_live(stad_calib *c, const stad_image *left, const stad_image *right);
 
 /* Begins a run now, whatever the monitor says. STAD_E_STATE: one is under way. */
 int stad_calib_start(stad_calib *c);

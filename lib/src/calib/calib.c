@@ -66,20 +66,6 @@ static int setup_fits(const stad_calib_config *c, const stad_setup *s)
     return s->width == g->width && s->height == g->height && s->mode == g->mode && s->channels == g->channels;
 }
 
-int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_setup *setup)
-{
-    STAD_ASSERT(c && config && setup);
-    if (!config_fits(config) || !setup_fits(config, setup))
-        return STAD_E_PARAM;
-    memset(c, 0, sizeof *c);
-    c->config = *config;
-    c->active = *setup;
-    c->previous = *setup;
-    c->candidate = *setup;
-    c->report.preset = -1;
-    return stad_monitor_init(&c->monitor, &config->monitor);
-}
-
 /* -- beginning and ending ---------------------------------------------------------------------------------------- */
 
 void stad_calib_enter(stad_calib *c, int phase)
@@ -107,16 +93,34 @@ void stad_calib_finish(stad_calib *c, int outcome)
     stad_monitor_looked(&c->monitor);
 }
 
+/* A run, none of whose costs is measured yet. */
 static void begin(stad_calib *c, int scheduled)
 {
-    uint8_t alarmed = c->report.alarmed;
-    memset(&c->report, 0, sizeof c->report);
-    c->report.alarmed = alarmed;
-    c->report.preset = -1;
+    stad_calib_report *r = &c->report;
+    uint8_t alarmed = r->alarmed;
+    memset(r, 0, sizeof *r);
+    r->alarmed = alarmed;
+    r->preset = -1;
+    r->tune_before_q20 = r->tune_after_q20 = -1;
+    r->judge_before_q20 = r->judge_after_q20 = -1;
     c->candidate = c->active;
     c->alarm_stands = 0;
     c->scheduled = (uint8_t)scheduled;
     stad_calib_enter(c, STAD_CALIB_LOOK);
+}
+
+int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_setup *setup)
+{
+    STAD_ASSERT(c && config && setup);
+    if (!config_fits(config) || !setup_fits(config, setup))
+        return STAD_E_PARAM;
+    memset(c, 0, sizeof *c);
+    c->config = *config;
+    c->active = *setup;
+    c->previous = *setup;
+    begin(c, 0); /* and not gone on with: the report of no run */
+    stad_calib_enter(c, STAD_CALIB_IDLE);
+    return stad_monitor_init(&c->monitor, &config->monitor);
 }
 
 int stad_calib_start(stad_calib *c)

@@ -5,8 +5,9 @@
 
 #include "stad/calib.h"
 
-/* -- health.c: can this view be used at all? Remembers its hash. Returns enum stad_calib_fault. */
-int stad_calib_view_fault(stad_calib_view *view, const stad_image *image, int may_be_still);
+/* -- health.c: can these views be used at all? Remembers them in view[0] and view[1]. Returns enum stad_calib_fault. */
+int stad_calib_views_fault(const stad_calib *c, stad_calib_view *view, const stad_image *left,
+                           const stad_image *right);
 
 /* -- pairs.c */
 /* What is left of the rows' disagreement of `count` raw pairs with a correction applied; `room` for as many. Returns

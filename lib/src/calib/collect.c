@@ -33,19 +33,6 @@ size_t stad_calib_frame_bytes(int32_t width, int32_t height)
 
 /* -- seeing: from pixels to pairs -------------------------------------------------------------------------------- */
 
-static int size_fits(const stad_calib *c, const stad_image *image)
-{
-    return image->width == c->config.geometry.width && image->height == c->config.geometry.height;
-}
-
-/* Both views are hashed even if the first is at fault, so that the next frame is compared with this one. */
-static int views_fault(stad_calib *c, const stad_image *left, const stad_image *right)
-{
-    int first = stad_calib_view_fault(&c->view[0], left, c->config.still);
-    int second = stad_calib_view_fault(&c->view[1], right, c->config.still);
-    return first != STAD_FAULT_NONE ? first : second;
-}
-
 /* Marks lie in front of both cameras: behind where even a search that begins below 0 looks, the views are exchanged. */
 static int pairs_are_swapped(const stad_pair *pairs, int count, int min_disparity)
 {
@@ -77,11 +64,7 @@ static int find_pairs(stad_calib *c, const stad_image *left, const stad_image *r
 
 static int see(stad_calib *c, const stad_image *left, const stad_image *right, scratch *s, size_t work_bytes)
 {
-    if (!left || !right)
-        return STAD_FAULT_LATE;
-    if (!size_fits(c, left) || !size_fits(c, right))
-        return STAD_FAULT_SIZE;
-    int fault = views_fault(c, left, right);
+    int fault = stad_calib_views_fault(c, c->view, left, right);
     return fault != STAD_FAULT_NONE ? fault : find_pairs(c, left, right, s, work_bytes);
 }
 
@@ -179,6 +162,8 @@ static int look(stad_calib *c, scratch *s)
     c->report.verdict_after = c->report.verdict_before;
     c->report.rig = rest;
     if (c->report.verdict_before == STAD_RIG_GOOD && c->scheduled && !c->report.alarmed) {
+        if (out_of_range(&c->active.params, s->room, s->count)) /* straightened for the verdict */
+            return STAD_FAULT_RANGE;
         stad_calib_finish(c, STAD_CALIB_SOUND);
         return STAD_FAULT_NONE;
     }
@@ -255,7 +240,7 @@ static int confirmed(stad_calib *c, int verdict, stad_pair *room)
 static int pool(stad_calib *c, const scratch *s)
 {
     int known = c->pooled > 0, still = known && stad_calib_is_still(c, s->pairs, s->count);
-    c->still = (int16_t)(still ? c->still + 1 : 0);
+    c->still = (int16_t)(still ? min_i32(c->still + 1, LAG + 1) : 0);
     if (c->still <= LAG)
         c->pooled = 0;
     c->pooled = (int16_t)string_up(c->pool, c->pooled, s->pairs, s->count);

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * frame -> [HEALTH] -> marks        calib/health.c - black, white, blank or frozen views are not looked at further
+ * frame -> [HEALTH] -> marks        calib/health.c - black, white, blank, frozen or equal views are not looked at further
  *
- * Every fourth pixel of every fourth row: 1,200 samples at 320 x 240 / 16. A live sensor never gives the same samples
+ * Every fourth pixel of every fourth row: 4,800 samples at 320 x 240. A live sensor never gives the same samples
  * twice; one that hands out buffers in turns gives them again after a few frames. */
 #include "calib/calib_parts.h"
+
+#include "base/arith.h"
 
 #define GRID     4
 #define DARK     24 /* nothing brighter: a mark needs 20 grey levels of contrast to be found */
@@ -33,22 +35,24 @@ static samples take(const stad_image *image)
     return s;
 }
 
-/* Among the last pictures; and remembers this one. */
+/* Among the last pictures; and remembers this one, first. */
 static int is_known(stad_calib_view *view, uint32_t hash)
 {
-    int known = 0, most = view->seen < STAD_CALIB_SEEN ? view->seen : STAD_CALIB_SEEN;
-    for (int i = 0; i < most; i++)
-        known |= view->hash[i] == hash;
-    view->hash[view->next] = hash;
-    view->next = (view->next + 1) % STAD_CALIB_SEEN;
-    view->seen = most < STAD_CALIB_SEEN ? most + 1 : most;
+    int known = 0;
+    uint32_t moved = hash;
+    for (int i = 0; i < STAD_CALIB_SEEN; i++) {
+        uint32_t was = view->hash[i];
+        known |= was == hash;
+        view->hash[i] = moved;
+        moved = was;
+    }
     return known;
 }
 
-int stad_calib_view_fault(stad_calib_view *view, const stad_image *image, int may_be_still)
+static int view_fault(const stad_calib *c, stad_calib_view *view, const stad_image *image)
 {
     samples s = take(image);
-    int frozen = is_known(view, s.hash) && !may_be_still;
+    int frozen = is_known(view, s.hash) && !c->config.still;
     if (s.high < DARK)
         return STAD_FAULT_BLACK;
     if (s.high - s.low < CONTRAST)
@@ -56,4 +60,29 @@ int stad_calib_view_fault(stad_calib_view *view, const stad_image *image, int ma
     if (2 * s.white > s.count)
         return STAD_FAULT_SATURATED;
     return frozen ? STAD_FAULT_FROZEN : STAD_FAULT_NONE;
+}
+
+static int size_fits(const stad_calib *c, const stad_image *image)
+{
+    return image->width == c->config.geometry.width && image->height == c->config.geometry.height;
+}
+
+/* Both views are hashed even if the first is at fault, so that the next frame is compared with this one. */
+int stad_calib_views_fault(const stad_calib *c, stad_calib_view *view, const stad_image *left,
+                           const stad_image *right)
+{
+    if (!left || !right)
+        return STAD_FAULT_LATE;
+    if (!size_fits(c, left) || !size_fits(c, right))
+        return STAD_FAULT_SIZE;
+    int fault = view_fault(c, &view[0], left), second = view_fault(c, &view[1], right);
+    if (fault == STAD_FAULT_NONE)
+        fault = second;
+    return fault == STAD_FAULT_NONE && view[0].hash[0] == view[1].hash[0] ? STAD_FAULT_SAME : fault;
+}
+
+int stad_calib_live(stad_calib *c, const stad_image *left, const stad_image *right)
+{
+    STAD_ASSERT(c && c->config.target); /* initialised */
+    return stad_calib_views_fault(c, c->live, left, right);
 }
