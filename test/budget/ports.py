@@ -11,7 +11,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PAGE = ROOT / "docs/PORTING.md"
-PORTS = {"scalar": "M0+, M3, RV32IMAC", "arm_dsp": "M4, M7, M33", "arm_mve": "M55", "arm_neon": "A64, A32",
+PORTS = {"wide": "any that vectorises", "scalar": "M0+, M3, RV32IMAC", "arm_dsp": "M4, M7, M33", "arm_mve": "M55", "arm_neon": "A64, A32",
          "riscv_v": "V, Zve32x", "x86": "SSE4.1, AVX2, AVX-512"}
 
 

@@ -12,7 +12,7 @@ NARROW = [(160, 120, 32), (96, 64, 16)]
 # name -> (build, value of STAD_ISA): the tiers that one x86 build holds, and plain C as the compiler vectorises it
 TIERS = {"avx512": ("x86", "avx512"), "avx2": ("x86", "avx2"), "sse41": ("x86", "sse41"), "c": ("x86", "c"),
          "plain-c-avx2": ("plain", "c")}
-BUILDS = {"x86": [], "plain": ["-DSTAD_ISA=c", "-DCMAKE_C_FLAGS=-mavx2", "-DCMAKE_C_FLAGS_RELEASE=-O3 -DNDEBUG"]}
+BUILDS = {"x86": [], "plain": ["-DSTAD_ISA=wide", "-DCMAKE_C_FLAGS=-mavx2", "-DCMAKE_C_FLAGS_RELEASE=-O3 -DNDEBUG"]}
 
 
 def build(name, folder):
