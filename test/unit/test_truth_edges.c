@@ -195,6 +195,14 @@ static int from(const stad_target *t)
     return stad_truth_from_target(&truth, t, pairs, n + 1, &camera);
 }
 
+static void test_truth_that_no_column_can_score_has_no_pixels(void)
+{
+    TEST_ASSERT_EQUAL(STAD_OK, stad_truth_init(&truth, W, H, -2048, 16, 1)); /* columns end left of the image */
+    TEST_ASSERT_EQUAL(0, stad_truth_pixels(&truth));
+    TEST_ASSERT_EQUAL(STAD_OK, stad_truth_init(&truth, W, H, 2048, 16, 1)); /* begin right of it */
+    TEST_ASSERT_EQUAL(0, stad_truth_pixels(&truth));
+}
+
 static void test_truth_of_the_relief_ignores_marks_of_no_target(void)
 {
     TEST_ASSERT_GREATER_THAN(5, from(stad_target_relief()));
@@ -237,6 +245,7 @@ int main(void)
     RUN_TEST(test_truth_corners_anywhere_are_refused);
     RUN_TEST(test_truth_left_of_the_searched_columns_has_no_box);
     RUN_TEST(test_truth_beyond_the_right_border_is_hidden);
+    RUN_TEST(test_truth_that_no_column_can_score_has_no_pixels);
     RUN_TEST(test_truth_of_the_relief_ignores_marks_of_no_target);
     RUN_TEST(test_truth_of_too_many_parts_is_refused);
     RUN_TEST(test_truth_part_without_facets_is_told);

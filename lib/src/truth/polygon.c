@@ -18,13 +18,15 @@ int stad_polygon_cut(const stad_polygon *p, int32_t y, int32_t *low_q8, int32_t 
         const stad_corner a = p->p[i], b = p->p[(i + 1) % p->count];
         if (y_q8 < min_i32(a.y_q8, b.y_q8) || y_q8 > max_i32(a.y_q8, b.y_q8))
             continue;
-        int32_t x0 = a.x_q8, x1 = b.x_q8;
-        if (a.y_q8 != b.y_q8)
-            x0 = x1 = a.x_q8 + (int32_t)((int64_t)(b.x_q8 - a.x_q8) * (y_q8 - a.y_q8) / (b.y_q8 - a.y_q8));
-        *low_q8 = min_i32(*low_q8, min_i32(x0, x1));
-        *high_q8 = max_i32(*high_q8, max_i32(x0, x1));
+        int32_t left = min_i32(a.x_q8, b.x_q8), right = max_i32(a.x_q8, b.x_q8);
+        if (a.y_q8 != b.y_q8) { /* between both, so nothing is cut; it says so to the analysis */
+            const int64_t along = (int64_t)(b.x_q8 - a.x_q8) * (y_q8 - a.y_q8) / (b.y_q8 - a.y_q8);
+            left = right = clamp_i32(sat_i32(a.x_q8 + along), left, right);
+        }
+        *low_q8 = min_i32(*low_q8, left);
+        *high_q8 = max_i32(*high_q8, right);
     }
-    return *low_q8 <= *high_q8;
+    return *low_q8 <= *high_q8 ? 1 : 0;
 }
 
 /* v / 256 rounded up, or down, for positions above -2^21. */
@@ -50,7 +52,7 @@ int stad_polygon_inner(const stad_polygon *p, int32_t y, int32_t margin, int32_t
         *first = max_i32(*first, up(low) + inset);
         *last = min_i32(*last, down(high) - inset);
     }
-    return *first <= *last;
+    return *first <= *last ? 1 : 0;
 }
 
 int stad_polygon_outer(const stad_polygon *p, int32_t y, int32_t margin, int32_t *first, int32_t *last)
@@ -63,7 +65,7 @@ int stad_polygon_outer(const stad_polygon *p, int32_t y, int32_t margin, int32_t
             *first = min_i32(*first, down(low) - margin);
             *last = max_i32(*last, up(high) + margin);
         }
-    return *first <= *last;
+    return *first <= *last ? 1 : 0;
 }
 
 static void sort_points(stad_corner *p, int32_t count)

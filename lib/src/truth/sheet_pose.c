@@ -6,7 +6,8 @@
 #include "base/arith.h"
 #include "base/log.h"
 
-enum { FAR_Q8 = 3000 * 256 };
+/* The root of the longest product, 3 * 2^46 in Q48: nothing is cut there, it says so to the analysis. */
+enum { FAR_Q8 = 3000 * 256, MAX_UP_Q24 = 1 << 24 };
 
 static int32_t plane_at_q16(const stad_plane *plane, stad_corner p)
 {
@@ -71,7 +72,7 @@ static int set_up_vector(sheet_pose *pose)
     if (scale_q20 == 0)
         return 0;
     for (int k = 0; k < 3; k++)
-        pose->up[k] = (int32_t)(-cross_q32[k] * 4096 / scale_q20);
+        pose->up[k] = clamp_i32(sat_i32(-cross_q32[k] * 4096 / scale_q20), -MAX_UP_Q24, MAX_UP_Q24);
     return 1;
 }
 
@@ -132,7 +133,7 @@ int stad_plane_through(const sheet_sight sight[4], stad_plane *plane)
         return 0;
     plane->a_q16 = fit.b_q20 / 1024;
     plane->b_q16 = fit.c_q20 / 1024;
-    if (abs_i32(plane->a_q16) >= 65536 || abs_i32(plane->b_q16) >= 65536)
+    if (plane->a_q16 <= -65536 || plane->a_q16 >= 65536 || plane->b_q16 <= -65536 || plane->b_q16 >= 65536)
         return 0;
     plane->c_q16 = fit.a_q8 / 4 - plane->a_q16 * x0 - plane->b_q16 * y0; /* |x0| < 2^12: below 2^29 */
     return 1;

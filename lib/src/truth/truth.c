@@ -165,7 +165,7 @@ int32_t stad_truth_pixels(const stad_truth *t)
     int32_t total = 0, first, last;
     scored_columns(t, &first, &last);
     for (int32_t y = 0; y < t->height; y++) {
-        int32_t from = INT32_MAX, to = -1, x0, x1;
+        int32_t from = t->width, to = -1, x0, x1;
         for (int32_t i = 0; i < t->count; i++) {
             if (t->layer[i].is_mask || !stad_polygon_inner(&t->layer[i].where, y, t->margin, &x0, &x1))
                 continue;

@@ -77,7 +77,7 @@ static void hide_behind(const stad_truth *t, const cut *k, const int32_t *truth,
         const int32_t right = x * 65536 - truth[x];
         if (right < k->right_first || right > k->right_last)
             continue;
-        if (right + k->c > (65536 - k->a) * x + HIDING_STEP_Q16)
+        if (right > (65536 - k->a) * x + HIDING_STEP_Q16 - k->c)
             label[x] = STAD_LABEL_OCCLUDED;
     }
 }
