@@ -35,11 +35,13 @@ for rows in 1 12; do
     for picture in knocked/*_right.pgm; do
         case $picture in */000_* | */001_*) ;; *) lower $rows "$picture" ;; esac
     done
-    run simulate knocked "${board[@]}" --json knocked.json --csv knocked.csv
+    run simulate knocked "${board[@]}" --json knocked.json --csv knocked.csv --report knocked.html
     told 'run ended: rig failed, rig good -> good, last fault: rig'
     told '"outcome":.*"rig failed"' knocked.json
     told '"stored":.*null' knocked.json
-    told ',rig$' knocked.csv
+    told ',rig,none$' knocked.csv
+    told '"judge_after":.*null' knocked.json
+    told '<td>&ndash; &rarr; &ndash; %</td>' knocked.html
     rm -r knocked
 done
 

@@ -238,7 +238,8 @@ static void calib(void)
     stad_calib_config config;
     stad_setup setup = some_setup();
     const stad_camera camera = {200 * 256, W * 128, H * 128};
-    stad_image image = stad_image_packed(pix, W, H, 1);
+    static uint8_t other_pix[sizeof pix];
+    stad_image image = stad_image_packed(pix, W, H, 1), other = stad_image_packed(other_pix, W, H, 1);
     size_t bytes = stad_calib_frame_bytes(W, H);
     stad_point point;
     TEST_ASSERT_LESS_OR_EQUAL(sizeof work, bytes);
@@ -257,9 +258,14 @@ static void calib(void)
     ANSWERS(STAD_AGAIN, stad_calib_frame(&c, &image, NULL, work, bytes));
     memset(pix, 3, sizeof pix);
     ANSWERS(STAD_E_CORRUPT, stad_calib_frame(&c, &image, &image, work, bytes));
-    for (size_t i = 0; i < sizeof pix; i++)
+    for (size_t i = 0; i < sizeof pix; i++) {
         pix[i] = (uint8_t)(i * 37);
-    ANSWERS(STAD_E_NO_MARK, stad_calib_frame(&c, &image, &image, work, bytes));
+        other_pix[i] = (uint8_t)(i * 41);
+    }
+    ANSWERS(STAD_E_CORRUPT, stad_calib_frame(&c, &image, &image, work, bytes));
+    other_pix[0] ^= 1;
+    pix[0] ^= 1;
+    ANSWERS(STAD_E_NO_MARK, stad_calib_frame(&c, &image, &other, work, bytes));
     ANSWERS(STAD_E_PARAM, stad_calib_preset(STAD_PRESETS, 1, &point, NULL));
 }
 

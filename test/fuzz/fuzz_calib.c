@@ -76,6 +76,8 @@ static int frame(stad_calib *c, bytes *b)
     if (how > 250) {
         l.width -= 8;
     }
+    int live = stad_calib_live(c, how == 7 ? NULL : &l, how == 8 ? NULL : &r);
+    expect(live >= STAD_FAULT_NONE && live <= STAD_FAULT_SAME);
     int status = stad_calib_frame(c, how == 7 ? NULL : &l, how == 8 ? NULL : &r, work, bytes_needed - (how == 9));
     expect(status <= 1 && status >= STAD_E_RIG && subject_guards_stand(work));
     subject_free(work);

@@ -67,8 +67,8 @@ class Simulation(unittest.TestCase):
             stad("simulate", f"{folder}/r", "--num-disparities", 64, "--focal", 192, *words, "--json", f"{folder}/j", "--csv", f"{folder}/c")
             log, rows = json.load(open(f"{folder}/j")), list(csv.DictReader(open(f"{folder}/c")))
         result = stadimeter.simulate(frames, numDisparities=64, focal=192, **{k.replace("-", "_"): v for k, v in options.items()})
-        self.assertEqual([(s.state, s.phase, f"{s.share:.5f}") for s in result.steps],
-                         [(r["state"], r["phase"], r["firm_share"]) for r in rows])
+        self.assertEqual([(s.state, s.phase, f"{s.share:.5f}", s.fault) for s in result.steps],
+                         [(r["state"], r["phase"], r["firm_share"], r["live_fault"]) for r in rows])
         self.assertEqual([[str(v) for v in s.params.values()] for s in result.steps], [[r[k] for k in result.params] for r in rows])
         self.assertEqual([(r.frame, r.outcome, r.evaluations, r.judge_before, r.judge_after) for r in result.runs],
                          [(r["frame"], r["outcome"], r["evaluations"], r["judge_before"], r["judge_after"]) for r in log["runs"]])
@@ -79,6 +79,19 @@ class Simulation(unittest.TestCase):
         self.assertEqual(board.params, result.params)
         with self.assertRaises(ValueError):
             stadimeter.Board(320, 240, stored=result.stored[:-1] + bytes([result.stored[-1] ^ 1]))
+
+    def test_camera_faults_are_told_at_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            first, second, third = recording(folder, 3, seed=1)
+        result = stadimeter.simulate([first, (second[0], second[0]), third, third, None], numDisparities=64)
+        self.assertEqual([s.fault for s in result.steps], ["none", "same", "none", "frozen", "late"])
+
+    def test_costs_not_measured_are_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            frames = recording(folder, 1, seed=1)
+        result = stadimeter.simulate(frames + [(np.zeros_like(l), r) for l, r in frames] * 60, numDisparities=64, focal=192,
+                                     calibrate_at=1)
+        self.assertEqual([(r.outcome, r.tune_before, r.judge_after) for r in result.runs], [("fault", None, None)])
 
     def test_lost_frames_are_steps_and_no_alarm(self):
         with tempfile.TemporaryDirectory() as folder:

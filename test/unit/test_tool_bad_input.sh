@@ -208,8 +208,8 @@ expect 2 'hard.png: is the input s/left.png' match s/left.png s/right.png -o har
 expect 2 's/../s/right.png: is the input s/right.png' "${m[@]}" --preview s/../s/right.png
 expect 2 'two.png and ./two.png: two outputs in one file' match s/left.png s/right.png -o two.png --num-disparities 16 --preview ./two.png
 expect 2 'fresh.npy and to_fresh.npy: two outputs in one file' match s/left.png s/right.png -o fresh.npy --num-disparities 16 --right to_fresh.npy
-echo '{}' >empty_params.json
-expect 2 'empty_params.json: is the input' "${t[@]}" --params empty_params.json --json empty_params.json
+echo '{"p1": 100}' >small_params.json
+expect 2 'small_params.json: is the input' "${t[@]}" --params small_params.json --json small_params.json
 expect 2 's/disp.pfm: is the input' "${t[@]}" --json s/disp.pfm
 expect 2 'both and both: two outputs' "${t[@]}" --json both --header both
 expect 2 'disp.npy: is the input' "${e[@]}" --report disp.npy
@@ -297,7 +297,7 @@ expect 2 'target is out of range: its marks have disparities [0-9.]+ .. [0-9.]+ 
 expect 2 'out of range: .* searches 60 .. 123$' "${f[@]}" --focal 192 --num-disparities 64 --min-disparity 60
 expect 2 'out of range: .* searches -100 .. -37$' "${f[@]}" --focal 192 --num-disparities 64 --min-disparity -100
 expect 2 'out of range: .* searches -300 .. -237$' "${f[@]}" --focal 192 --num-disparities 64 --min-disparity -300
-expect 2 'out of range: .* searches 0 .. 63$' tune q/003_right.png q/003_left.png --fiducials --focal 192 --num-disparities 64
+expect 2 'at disparities -3.* px: left and right are exchanged, or --min-disparity 0 must be lower$' tune q/003_right.png q/003_left.png --fiducials --focal 192 --num-disparities 64
 expect 2 'too little of the target is in the columns .* from 288 on' "${f[@]}" --focal 192 --num-disparities 288
 for focal in 60 100 400 1000; do
     expect 2 "with --focal $focal and the principal point .* no rectangular sheet" "${f[@]}" --focal $focal --num-disparities 64
@@ -339,6 +339,11 @@ expect 3 's: holds [a-z]+.(png|pfm) of another scene' scene -o s --target --fram
 accept scene -o q --target --frames 5 --width 160 --height 120
 expect 3 'disp.npy: cannot be' scene -o disp.npy --target
 
+echo '{}' >nothing.json
+expect 3 'nothing.json: there is no parameter in it' "${m[@]}" --params nothing.json
+echo '{"params": {}}' >nothing.json
+expect 3 'nothing.json: there is no parameter in it' "${m[@]}" --params nothing.json
+
 ### the sheet ###
 expect 2 '--isa avx9: must be' bench --isa avx9
 STAD_ISA=avx9 expect 2 'STAD_ISA avx9: must be' bench
@@ -360,6 +365,9 @@ rm stderr.tmp
 if [ -x "$STAD_BUILD/stad-story" ]; then
     "$STAD_BUILD/stad-story" -o nowhere/x >stdout.tmp 2>stderr.tmp
     [ $? = 3 ] && [ ! -s stdout.tmp ] && grep -q 'nowhere/x/summary.json: cannot be written' stderr.tmp || fail_check "the story: $(cat stderr.tmp)"
+    "$STAD_BUILD/stad-story" --help | grep -q '^usage: stad-story' || fail_check "the story's help"
+    "$STAD_BUILD/stad-story" -x here >stdout.tmp 2>stderr.tmp
+    [ $? = 2 ] && grep -q '^usage: stad-story' stderr.tmp || fail_check "an option that the story has not: $(cat stderr.tmp)"
     rm stdout.tmp stderr.tmp
 fi
 

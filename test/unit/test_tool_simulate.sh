@@ -56,6 +56,24 @@ grep -q '</html>' loop.html || fail "no report"
 run simulate rec "${range[@]}" --focal 192 --calibrate-at 1 --evaluations 20 --budget 40 --probation-frames 0 --json again.json
 [ "$(grep -v seconds loop.json)" = "$(grep -v seconds again.json)" ] || fail "two simulations of the same recording differ"
 
+### cameras at fault are told at once, with or without a target to look for; what ended and when, by frame ###
+cp -r rec ill
+cp ill/003_left.png ill/003_right.png                                           # one camera for both
+cp ill/005_left.png ill/006_left.png; cp ill/005_left.png ill/007_left.png      # a frozen view
+run simulate ill "${range[@]}" --csv ill.csv --json ill.json --report ill.html
+[ "$(sed 's/.*,//' ill.csv | tr '\n' ' ')" = "live_fault none none none same none none frozen frozen none none " ] ||
+    fail "faults of live frames: $(sed 's/.*,//' ill.csv | tr '\n' ' ')"
+tr -d ' \t\n' <ill.json | grep -q '"live_faults":\[{"frame":3,"last_frame":3,"fault":"same"},{"frame":6,"last_frame":7,"fault":"frozen"}\]' ||
+    fail "faults of live frames in JSON: $(cat ill.json)"
+grep -q 'Camera fault in the frames 6 to 7: frozen' ill.html || fail "the report tells of no camera"
+run simulate ill "${range[@]}" --focal 192 --calibrate-at 0 --probation-frames 0 --budget 12 --evaluations 12
+[ "$(sed -n 's/^frame [0-9]*: \([a-z]* [a-z]*\).*/\1/p' out.txt | tr '\n' ' ')" = "camera fault run ended camera fault " ] ||
+    fail "not by frame: $(cat out.txt)"
+run simulate rec "${range[@]}" --focal 192 --calibrate-at 1 --frames 2 --json open.json
+tr -d ' \t\n' <open.json | grep -q '"run_under_way":{"phase":"other","fault":"none","evaluations":0,"tune_before":null,"tune_after":null,' ||
+    fail "the run under way: $(cat open.json)"
+grep -q '"run_under_way":.*null' loop.json || fail "no run is under way after its end"
+
 ### the same on the host, from one pair ###
 run tune rec/002_left.png rec/002_right.png --fiducials --focal 192 --num-disparities 64 --max-evals 30 --json marks.json
 start=$(number bad marks.json) best=$(tr -d ' \t\n' <marks.json | sed 's/.*"best":{//' | grep -o '"bad":[0-9.e-]*' | cut -d: -f2)
@@ -73,6 +91,10 @@ run scene -o sunk --target --frames 1 --width 320 --height 240 --drift 2
 [ $? = 1 ] && grep -q 'the rows of the two views differ' err.txt || fail "a sunk camera is not refused: $(cat err.txt)"
 "$stad" tune rec/002_left.png rec/002_left.png --fiducials 2>err.txt >out.txt
 [ $? = 2 ] && grep -q -- '--focal' err.txt || fail "--fiducials without --focal"
+"$stad" tune rec/002_right.png rec/002_left.png --fiducials --focal 192 2>err.txt >out.txt
+[ $? = 2 ] && grep -q 'left and right are exchanged' err.txt || fail "exchanged views: $(cat err.txt)"
+"$stad" tune rec/002_left.png rec/002_left.png --fiducials --focal 192 2>err.txt >out.txt
+[ $? = 2 ] && grep -q 'the same picture twice' err.txt || fail "the same picture twice: $(cat err.txt)"
 run scene -o plain --width 320 --height 240 --plates 3
 "$stad" tune plain/left.png plain/right.png --fiducials --focal 192 2>err.txt >out.txt
 [ $? = 3 ] && grep -q '0 marks on the left' err.txt || fail "a pair without marks: $(cat err.txt)"
@@ -120,6 +142,7 @@ set +m
 ### bad input ###
 refuse 3 'nowhere: .*(No such|cannot be read)' nowhere
 refuse 3 'no stereo frames found' wide
+refuse 2 'frames.raw is a file: frames in one file go with --size' frames.raw
 refuse 3 'no whole number of pairs' frames.raw --size 161x120
 refuse 2 '--size 12: must be' frames.raw --size 12
 refuse 2 'block_size 4' rec --block-size 4

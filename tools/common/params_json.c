@@ -104,6 +104,8 @@ int params_read_json(params_some *s, const char *path, tool_fail *f)
         if (status == TOOL_OK)
             status = take_field(s, item, path, f);
     }
+    if (status == TOOL_OK && s->given == 0 && s->mode < 0)
+        status = tool_fail_set(f, TOOL_FILE, "%s: there is no parameter in it", path);
     s->corrected = !best && cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(used, "corrected"));
     cJSON_Delete(document);
     return status;

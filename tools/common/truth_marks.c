@@ -86,8 +86,16 @@ static int check_range(const seen *s, const stad_params *p, const char *names, t
     double low, high;
     int last = p->min_disparity + p->num_disparities - 1;
     disparities_of(s, &low, &high);
+    if (low == 0 && high == 0)
+        return tool_fail_set(f, TOOL_USAGE, "%s: both show the marks at the same place: the same picture twice",
+                             names);
     if (low >= p->min_disparity && high <= last)
         return TOOL_OK;
+    if (high < 0 && high < p->min_disparity)
+        return tool_fail_set(f, TOOL_USAGE,
+                             "%s: the marks lie behind the cameras, at disparities %.1f .. %.1f px: left and right "
+                             "are exchanged, or --min-disparity %d must be lower",
+                             names, low, high, p->min_disparity);
     return tool_fail_set(f, TOOL_USAGE,
                          "%s: the target is out of range: its marks have disparities %.1f .. %.1f px, and "
                          "--min-disparity %d with --num-disparities %d searches %d .. %d",

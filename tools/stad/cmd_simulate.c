@@ -22,7 +22,7 @@ static const char help[] =
     "  --jobs N                     so many frames at a time, the same result (1)\n"
     "  --keep-going                 report and skip frames that cannot be read (else: stop, what was done is "
     "written)\n"
-    "  --csv FILE, --json FILE      every frame; alarms, runs, the setup in use and stored (an\n"
+    "  --csv FILE, --json FILE      every frame; alarms, camera faults, runs, the setup in use and stored (an\n"
     "                               interrupt ends the recording: what was done is written)\n"
     "  --report FILE.html           the same to look at\n"
     "  --focal PX                   of both cameras; without it marks are not looked for, only the monitor "

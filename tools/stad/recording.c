@@ -256,6 +256,9 @@ int recording_open(recording *r, const char *where, int side_by_side, int raw_wi
     r->where = where;
     r->raw_width = raw_width;
     r->raw_height = raw_height;
+    if (raw_width == 0 && is_file(where))
+        return tool_fail_set(f, TOOL_USAGE, "%s is a file: frames in one file go with --size WxH, pictures lie in a folder",
+                             where);
     int status = raw_width > 0 ? open_raw(r, where, f) : scan(r, where, side_by_side, f);
     if (status == TOOL_OK && r->count == 0)
         status = tool_fail_set(f, TOOL_FILE,

@@ -64,7 +64,28 @@ static const char *decision(int outcome)
 
 static const char *verdict(const stad_calib_report *c, int verdict)
 {
-    return c->rig.corners > 0 ? simulate_verdict_name(verdict) : "&ndash;";
+    return c->rig.corners > 0 ? calib_verdict_name(verdict) : "&ndash;";
+}
+
+static void cost_cell(report *r, int32_t before_q20, int32_t after_q20)
+{
+    const int32_t costs[2] = {before_q20, after_q20};
+    fputs("<td>", r->to);
+    for (int i = 0; i < 2; i++) {
+        if (simulate_is_measured(costs[i]))
+            fprintf(r->to, "%.2f", 100.0 * costs[i] / STAD_COST_ONE);
+        else
+            fputs("&ndash;", r->to);
+        fputs(i == 0 ? " &rarr; " : " %</td>", r->to);
+    }
+}
+
+static void live_faults(report *r, const simulation *s)
+{
+    int last;
+    for (int i = simulate_spell(s, 0, &last); i < s->row_count; i = simulate_spell(s, last + 1, &last))
+        fprintf(r->to, "<p>Camera fault in the frames %d to %d: %s.</p>\n", s->rows[i].frame, s->rows[last].frame,
+                calib_fault_name(s->rows[i].live));
 }
 
 static void runs(report *r, const simulation *s)
@@ -85,12 +106,12 @@ static void runs(report *r, const simulation *s)
     for (int i = 0; i < s->run_count; i++) {
         const stad_calib_report *c = &s->runs[i].report;
         fprintf(r->to,
-                "<tr><td>%d</td><td>%s</td><td>%s</td><td>%s &rarr; %s</td><td>%d</td><td>%.2f &rarr; %.2f %%</td><td>%.2f &rarr; "
-                "%.2f %%</td><td>%s</td></tr>\n",
-                s->runs[i].frame, simulate_outcome_name(c->outcome), simulate_fault_name(c->fault),
-                verdict(c, c->verdict_before), verdict(c, c->verdict_after), c->evaluations, 100.0 * c->tune_before_q20 / STAD_COST_ONE,
-                100.0 * c->tune_after_q20 / STAD_COST_ONE, 100.0 * c->judge_before_q20 / STAD_COST_ONE,
-                100.0 * c->judge_after_q20 / STAD_COST_ONE, decision(c->outcome));
+                "<tr><td>%d</td><td>%s</td><td>%s</td><td>%s &rarr; %s</td><td>%d</td>",
+                s->runs[i].frame, calib_outcome_name(c->outcome), calib_fault_name(c->fault),
+                verdict(c, c->verdict_before), verdict(c, c->verdict_after), c->evaluations);
+        cost_cell(r, c->tune_before_q20, c->tune_after_q20);
+        cost_cell(r, c->judge_before_q20, c->judge_after_q20);
+        fprintf(r->to, "<td>%s</td></tr>\n", decision(c->outcome));
     }
     fputs("</table>\n<p>Adopted is only what was better on a pose it was not tuned on.</p>\n", r->to);
 }
@@ -199,6 +220,7 @@ int simulate_write_report(simulation *s, tool_fail *f)
         fputs("<p>The monitor was still learning what is usual at the last frame: no alarm could come.</p>\n", r.to);
     if (s->row_count)
         signal_plot(&r, s);
+    live_faults(&r, s);
     report_heading(&r, "Runs");
     runs(&r, s);
     setups(&r, s);

@@ -3,6 +3,7 @@
 #ifndef STAD_SIMULATE_H
 #define STAD_SIMULATE_H
 
+#include "../common/calib_names.h"
 #include "../common/engine.h"
 #include "degrade.h"
 #include "match_options.h"
@@ -22,6 +23,7 @@ typedef struct sim_flash {
 /* A frame in the log. */
 typedef struct sim_row {
     int frame, state, phase, fault, skipped;
+    int live; /* enum stad_calib_fault of the frame as the matcher saw it */
     double share; /* of considered pixels that are firm; what the monitor watches */
     stad_match_counts counts;
     stad_params params; /* it was matched with */
@@ -74,14 +76,15 @@ typedef struct simulation {
 int simulate_run(simulation *s, tool_fail *f);
 void simulate_free(simulation *s);
 
+/* 0 for a cost that was not measured, or whose match failed. */
+int simulate_is_measured(int32_t cost_q20);
+
+/* The next row from i on that begins a spell of one live fault, row_count when there is none; *last: the row that ends it. */
+int simulate_spell(const simulation *s, int i, int *last);
+
 /* 1 if the monitor was learning still at the last frame: nothing was watched. */
 int simulate_learning(const simulation *s);
 
-const char *simulate_state_name(int state);
-const char *simulate_phase_name(int phase);
-const char *simulate_outcome_name(int outcome);
-const char *simulate_fault_name(int fault);
-const char *simulate_verdict_name(int verdict);
 
 /* A correction as one says it. */
 typedef struct sim_correction {

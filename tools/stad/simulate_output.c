@@ -6,43 +6,6 @@
 
 #include "simulate.h"
 
-#define NAME_OF(list, i) ((i) >= 0 && (i) < (int)(sizeof(list) / sizeof(list)[0]) ? (list)[i] : "?")
-
-const char *simulate_state_name(int state)
-{
-    static const char *const names[] = {"learning", "ok", "degraded"};
-    return NAME_OF(names, state);
-}
-
-const char *simulate_phase_name(int phase)
-{
-    static const char *const names[] = {"idle",  "look", "other",     "confirm", "pick",   "tune",
-                                        "judge", "save", "probation", "recheck", "compare"};
-    return NAME_OF(names, phase);
-}
-
-const char *simulate_outcome_name(int outcome)
-{
-    static const char *const names[] = {"none",       "sound",       "adopted",  "corrected",
-                                        "kept",       "rolled back", "no marks", "no pose",
-                                        "rig failed", "fault",       "cancelled"};
-    return NAME_OF(names, outcome);
-}
-
-const char *simulate_fault_name(int fault)
-{
-    static const char *const names[] = {"none",    "late",  "black", "saturated", "flat", "frozen",
-                                        "swapped", "marks", "range", "rig",       "size", "camera",
-                                        "moving"};
-    return NAME_OF(names, fault);
-}
-
-const char *simulate_verdict_name(int verdict)
-{
-    static const char *const names[] = {"good", "watch", "correct", "fail"};
-    return NAME_OF(names, verdict);
-}
-
 sim_correction simulate_correction(const stad_rig *rig)
 {
     const double unit = 16777216.0; /* Q24 */
@@ -73,24 +36,82 @@ static int saw_marks(const stad_calib_report *c)
     return c->rig.corners > 0;
 }
 
+int simulate_is_measured(int32_t cost_q20)
+{
+    return cost_q20 >= 0 && cost_q20 != STAD_COST_FAILED;
+}
+
+static void print_cost(int32_t cost_q20)
+{
+    if (simulate_is_measured(cost_q20))
+        printf("%.2f", 100.0 * cost_q20 / STAD_COST_ONE);
+    else
+        putchar('-');
+}
+
+static void print_change(const char *where, int32_t before_q20, int32_t after_q20)
+{
+    printf(", %s ", where);
+    print_cost(before_q20);
+    fputs(" -> ", stdout);
+    print_cost(after_q20);
+    fputs(" %", stdout);
+}
+
 static void print_costs(const stad_calib_report *c)
 {
     if (saw_marks(c))
-        printf(", rig %s -> %s", simulate_verdict_name(c->verdict_before),
-               simulate_verdict_name(c->verdict_after));
-    if (c->evaluations)
-        printf(", %d evaluations, tuning pose %.2f -> %.2f %%, other pose %.2f -> %.2f %%", c->evaluations,
-               100.0 * c->tune_before_q20 / STAD_COST_ONE, 100.0 * c->tune_after_q20 / STAD_COST_ONE,
-               100.0 * c->judge_before_q20 / STAD_COST_ONE, 100.0 * c->judge_after_q20 / STAD_COST_ONE);
+        printf(", rig %s -> %s", calib_verdict_name(c->verdict_before), calib_verdict_name(c->verdict_after));
+    if (c->evaluations) {
+        printf(", %d evaluations", c->evaluations);
+        print_change("tuning pose", c->tune_before_q20, c->tune_after_q20);
+        print_change("other pose", c->judge_before_q20, c->judge_after_q20);
+    }
     if (c->fault)
-        printf(", last fault: %s", simulate_fault_name(c->fault));
+        printf(", last fault: %s", calib_fault_name(c->fault));
     putchar('\n');
 }
 
 static void print_run(const sim_run *r)
 {
-    printf("frame %d: run ended: %s", r->frame, simulate_outcome_name(r->report.outcome));
+    printf("frame %d: run ended: %s", r->frame, calib_outcome_name(r->report.outcome));
     print_costs(&r->report);
+}
+
+int simulate_spell(const simulation *s, int i, int *last)
+{
+    while (i < s->row_count && s->rows[i].live == STAD_FAULT_NONE)
+        i++;
+    for (*last = i; *last + 1 < s->row_count && s->rows[*last + 1].live == s->rows[i].live;)
+        ++*last;
+    return i;
+}
+
+static void print_spell(const simulation *s, int first, int last)
+{
+    if (first == last)
+        printf("frame %d: camera fault: %s\n", s->rows[first].frame, calib_fault_name(s->rows[first].live));
+    else
+        printf("frame %d: camera fault: %s, to frame %d\n", s->rows[first].frame,
+               calib_fault_name(s->rows[first].live), s->rows[last].frame);
+}
+
+/* Camera faults, alarms and ends of runs, by frame. */
+static void print_events(const simulation *s)
+{
+    int last, run = 0, spell = simulate_spell(s, 0, &last);
+    for (int i = 0; i < s->row_count; i++) {
+        const sim_row *r = &s->rows[i];
+        if (i == spell) {
+            print_spell(s, i, last);
+            spell = simulate_spell(s, last + 1, &last);
+        }
+        if (r->state == STAD_MONITOR_DEGRADED)
+            printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", r->frame,
+                   100 * r->share);
+        while (run < s->run_count && (s->runs[run].frame <= r->frame || i + 1 == s->row_count))
+            print_run(&s->runs[run++]);
+    }
 }
 
 /* What a recording that ends too soon leaves open. */
@@ -124,15 +145,10 @@ void simulate_print(const simulation *s)
     if (s->skipped)
         printf(", %d skipped", s->skipped);
     printf(", %.1f a second\n", s->seconds > 0 ? (s->row_count - s->skipped) / s->seconds : 0.0);
-    for (int i = 0; i < s->row_count; i++)
-        if (s->rows[i].state == STAD_MONITOR_DEGRADED)
-            printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", s->rows[i].frame,
-                   100 * s->rows[i].share);
+    print_events(s);
     if (simulate_learning(s))
         printf("monitor: still learning what is usual at the last frame: no alarm could come (--learn-frames)\n");
-    for (int i = 0; i < s->run_count; i++)
-        print_run(&s->runs[i]);
-    printf("state:   %s%s", simulate_phase_name(now->phase), unfinished(now->phase));
+    printf("state:   %s%s", calib_phase_name(now->phase), unfinished(now->phase));
     if (now->phase != STAD_CALIB_IDLE)
         print_costs(now);
     else
@@ -157,16 +173,16 @@ int simulate_write_csv(const simulation *s, tool_fail *f)
           out.stream);
     for (int k = 0; k < FIELD_COUNT; k++)
         fprintf(out.stream, ",%s", params_field_name(k));
-    fputs(",fault\n", out.stream);
+    fputs(",fault,live_fault\n", out.stream);
     for (int i = 0; i < s->row_count; i++) {
         const sim_row *r = &s->rows[i];
         const stad_match_counts *c = &r->counts;
         fprintf(out.stream, "%d,%s,%s,%.5f,%d,%d,%d,%d,%d", r->frame,
-                r->skipped ? "skipped" : simulate_state_name(r->state), simulate_phase_name(r->phase),
+                r->skipped ? "skipped" : calib_state_name(r->state), calib_phase_name(r->phase),
                 r->share, c->considered, c->firm, c->valid, c->rejected_uniqueness, c->rejected_check);
         for (int k = 0; k < FIELD_COUNT; k++)
             fprintf(out.stream, ",%ld", params_get(&r->params, k));
-        fprintf(out.stream, ",%s\n", simulate_fault_name(r->fault));
+        fprintf(out.stream, ",%s,%s\n", calib_fault_name(r->fault), calib_fault_name(r->live));
     }
     return tool_out_close(&out, 1, f);
 }
@@ -192,24 +208,59 @@ static cJSON *setup_json(const stad_setup *setup)
 
 static cJSON *verdict_json(const stad_calib_report *c, int verdict)
 {
-    return saw_marks(c) ? cJSON_CreateString(simulate_verdict_name(verdict)) : cJSON_CreateNull();
+    return saw_marks(c) ? cJSON_CreateString(calib_verdict_name(verdict)) : cJSON_CreateNull();
+}
+
+static void add_cost(cJSON *o, const char *name, int32_t cost_q20)
+{
+    cJSON_AddItemToObject(o, name, simulate_is_measured(cost_q20) ? cJSON_CreateNumber((double)cost_q20 / STAD_COST_ONE)
+                                                         : cJSON_CreateNull());
+}
+
+static void add_report(cJSON *o, const stad_calib_report *c)
+{
+    cJSON_AddStringToObject(o, "fault", calib_fault_name(c->fault));
+    cJSON_AddNumberToObject(o, "evaluations", c->evaluations);
+    add_cost(o, "tune_before", c->tune_before_q20);
+    add_cost(o, "tune_after", c->tune_after_q20);
+    add_cost(o, "judge_before", c->judge_before_q20);
+    add_cost(o, "judge_after", c->judge_after_q20);
+    cJSON_AddItemToObject(o, "verdict_before", verdict_json(c, c->verdict_before));
+    cJSON_AddItemToObject(o, "verdict_after", verdict_json(c, c->verdict_after));
 }
 
 static cJSON *run_json(const sim_run *r)
 {
-    const stad_calib_report *c = &r->report;
     cJSON *o = setup_json(&r->setup);
     cJSON_AddNumberToObject(o, "frame", r->frame);
-    cJSON_AddStringToObject(o, "outcome", simulate_outcome_name(c->outcome));
-    cJSON_AddStringToObject(o, "fault", simulate_fault_name(c->fault));
-    cJSON_AddNumberToObject(o, "evaluations", c->evaluations);
-    cJSON_AddNumberToObject(o, "tune_before", (double)c->tune_before_q20 / STAD_COST_ONE);
-    cJSON_AddNumberToObject(o, "tune_after", (double)c->tune_after_q20 / STAD_COST_ONE);
-    cJSON_AddNumberToObject(o, "judge_before", (double)c->judge_before_q20 / STAD_COST_ONE);
-    cJSON_AddNumberToObject(o, "judge_after", (double)c->judge_after_q20 / STAD_COST_ONE);
-    cJSON_AddItemToObject(o, "verdict_before", verdict_json(c, c->verdict_before));
-    cJSON_AddItemToObject(o, "verdict_after", verdict_json(c, c->verdict_after));
+    cJSON_AddStringToObject(o, "outcome", calib_outcome_name(r->report.outcome));
+    add_report(o, &r->report);
     return o;
+}
+
+/* The run that the last frame left open, or null. */
+static cJSON *open_run_json(const stad_calib_report *c)
+{
+    if (c->phase == STAD_CALIB_IDLE)
+        return cJSON_CreateNull();
+    cJSON *o = cJSON_CreateObject();
+    cJSON_AddStringToObject(o, "phase", calib_phase_name(c->phase));
+    add_report(o, c);
+    return o;
+}
+
+static cJSON *live_faults_json(const simulation *s)
+{
+    int last;
+    cJSON *list = cJSON_CreateArray();
+    for (int i = simulate_spell(s, 0, &last); i < s->row_count; i = simulate_spell(s, last + 1, &last)) {
+        cJSON *o = cJSON_CreateObject();
+        cJSON_AddNumberToObject(o, "frame", s->rows[i].frame);
+        cJSON_AddNumberToObject(o, "last_frame", s->rows[last].frame);
+        cJSON_AddStringToObject(o, "fault", calib_fault_name(s->rows[i].live));
+        cJSON_AddItemToArray(list, o);
+    }
+    return list;
 }
 
 static cJSON *simulation_json(const simulation *s)
@@ -219,7 +270,7 @@ static cJSON *simulation_json(const simulation *s)
     cJSON_AddNumberToObject(o, "skipped", s->skipped);
     cJSON_AddItemToObject(o, "stopped", s->stopped[0] ? cJSON_CreateString(s->stopped) : cJSON_CreateNull());
     cJSON_AddBoolToObject(o, "learning", simulate_learning(s));
-    cJSON_AddStringToObject(o, "phase", simulate_phase_name(stad_calib_report_of(&s->calib)->phase));
+    cJSON_AddStringToObject(o, "phase", calib_phase_name(stad_calib_report_of(&s->calib)->phase));
     for (int i = 0; i < s->row_count; i++)
         if (s->rows[i].state == STAD_MONITOR_DEGRADED)
             cJSON_AddItemToArray(alarms, cJSON_CreateNumber(s->rows[i].frame));
@@ -227,6 +278,8 @@ static cJSON *simulation_json(const simulation *s)
     for (int i = 0; i < s->run_count; i++)
         cJSON_AddItemToArray(runs, run_json(&s->runs[i]));
     cJSON_AddItemToObject(o, "runs", runs);
+    cJSON_AddItemToObject(o, "run_under_way", open_run_json(stad_calib_report_of(&s->calib)));
+    cJSON_AddItemToObject(o, "live_faults", live_faults_json(s));
     cJSON_AddItemToObject(o, "in_use", setup_json(stad_calib_setup(&s->calib)));
     cJSON_AddItemToObject(o, "stored", s->stored_slot >= 0 ? setup_json(&s->stored) : cJSON_CreateNull());
     cJSON_AddNumberToObject(o, "seconds", s->seconds);

@@ -97,6 +97,8 @@ static int set_up(simulation *s, const picture *left, tool_fail *f)
 /* What the monitor makes of a frame that was matched. */
 static void count_live(simulation *s, const ahead_frame *frame, sim_row *row)
 {
+    const stad_image left = picture_view(&frame->left), right = picture_view(&frame->right);
+    row->live = stad_calib_live(&s->calib, &left, &right);
     row->params = frame->setup.params;
     row->counts = frame->counts;
     row->state = stad_calib_counts(&s->calib, &row->counts);
@@ -203,6 +205,7 @@ static void miss(simulation *s, int i)
     note_run(s, i);
     row->frame = i;
     row->skipped = 1;
+    row->live = stad_calib_live(&s->calib, NULL, NULL);
     note_stand(s, row);
     row->params = stad_calib_setup(&s->calib)->params;
     s->skipped++;
@@ -213,7 +216,7 @@ static void show_progress(const simulation *s, int done, double start)
     double seconds = tool_seconds() - start, rate = seconds > 0 ? done / seconds : 0;
     progress_line("%d / %d frames, %.1f a second, %.0f s left, %s", done, s->frames.count, rate,
                   rate > 0 ? (s->frames.count - done) / rate : 0.0,
-                  simulate_phase_name(stad_calib_report_of(&s->calib)->phase));
+                  calib_phase_name(stad_calib_report_of(&s->calib)->phase));
 }
 
 /* The first frame that can be read decides the size. */

@@ -69,6 +69,20 @@ int story_board_live(story_board *b, const story_frame *frame);
 /* One turn of the pump: does what is wanted, with frames of the world. Returns what was wanted. */
 int story_board_turn(story_board *b, story_world *w);
 
+/* -- cameras that fail --------------------------------------------------------------------------------------------- */
+
+#define STORY_FAULTS 7
+
+typedef struct story_fault {
+    const char *name;   /* what is wrong */
+    int live, fault;    /* enum stad_calib_fault: of live frames at once, NONE where it takes marks; of the run's frames */
+    int outcome;        /* enum stad_calib_outcome: of the run */
+    int adopted;        /* 1: the setup in use has changed */
+} story_fault;
+
+/* The board from reset, and a run in front of cameras with fault `kind` to its end. A negative status: no setup. */
+int story_fault_of(story_board *b, story_world *w, int kind, story_frame *frame, story_fault *told);
+
 /* Bad share outside the target, percent, of a setup on a frame; the disparities go to *d unless NULL. */
 double story_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_params *p, const stad_rig *rig, disparity *d);
 

@@ -3,12 +3,13 @@
  *
  *     stad-story [-o FOLDER]
  *
- * Exit status 0: adopted and restored; 1: the board did not help itself; 3: a file cannot be written. */
+ * Exit status 0: adopted, restored, every camera fault told; 1: the board did not help itself; 3: a file cannot be written. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "../common/calib_names.h"
 #include "../common/colour.h"
 #include "../common/whole_file.h"
 #include "story.h"
@@ -24,6 +25,7 @@ typedef struct telling {
     story_board board;
     story_frame frame;
     chapter healthy_map, disturbed_map, corrected_map, after_map;
+    story_fault fault[STORY_FAULTS];
     tool_fail fail;
 } telling;
 
@@ -100,6 +102,34 @@ static void work(telling *t, story_world *w)
     }
 }
 
+/* Cameras that fail, one after the other. Returns 1 when each was told and nothing adopted. */
+static int fail_cameras(telling *t)
+{
+    int good = 1;
+    printf("\ncameras fail, the target before them: what a live frame tells at once; what a run tells; what is adopted\n");
+    for (int i = 0; i < STORY_FAULTS; i++) {
+        story_fault *k = &t->fault[i];
+        if (story_fault_of(&t->board, &t->disturbed, i, &t->frame, k) < 0)
+            return 0;
+        printf("  %-13s %-10s %-10s outcome: %-11s %s\n", k->name, calib_fault_name(k->live), calib_fault_name(k->fault),
+               calib_outcome_name(k->outcome), k->adopted ? "ADOPTED" : "nothing");
+        good &= k->fault != STAD_FAULT_NONE && !k->adopted;
+    }
+    return good;
+}
+
+static void write_faults(const telling *t, FILE *to)
+{
+    fputs(" \"camera_faults\": {", to);
+    for (int i = 0; i < STORY_FAULTS; i++) {
+        const story_fault *k = &t->fault[i];
+        fprintf(to, "%s\n  \"%s\": {\"live\": \"%s\", \"run\": \"%s\", \"outcome\": \"%s\", \"adopted\": %s}", i ? "," : "",
+                k->name, calib_fault_name(k->live), calib_fault_name(k->fault), calib_outcome_name(k->outcome),
+                k->adopted ? "true" : "false");
+    }
+    fputs("},\n", to);
+}
+
 static int write_summary(telling *t, const stad_calib_report *r, int restored)
 {
     char path[600];
@@ -110,12 +140,12 @@ static int write_summary(telling *t, const stad_calib_report *r, int restored)
     fprintf(out.stream,
             "{\"healthy\": {\"bad\": %.2f}, \"disturbed\": {\"bad\": %.2f}, \"corrected\": {\"bad\": %.2f}, "
             "\"after\": {\"bad\": %.2f},\n"
-            " \"verdict_before\": \"%s\", \"verdict_after\": \"%s\", \"adopted\": %s, \"restored\": %s,\n "
-            "\"evaluations\": %d, \"frames\": %d}\n",
+            " \"verdict_before\": \"%s\", \"verdict_after\": \"%s\", \"adopted\": %s, \"restored\": %s,\n",
             t->healthy_map.bad, t->disturbed_map.bad, t->corrected_map.bad, t->after_map.bad,
             verdict_name(r->verdict_before), verdict_name(r->verdict_after),
-            r->outcome == STAD_CALIB_ADOPTED ? "true" : "false", restored ? "true" : "false", r->evaluations,
-            t->board.frames);
+            r->outcome == STAD_CALIB_ADOPTED ? "true" : "false", restored ? "true" : "false");
+    write_faults(t, out.stream);
+    fprintf(out.stream, " \"evaluations\": %d, \"frames\": %d}\n", r->evaluations, t->board.frames);
     return tool_out_close(&out, 1, &t->fail);
 }
 
@@ -136,9 +166,9 @@ static int tell(telling *t)
     work(t, &t->disturbed);
     stad_calib_report r = *stad_calib_report_of(c);
     stad_setup adopted = *stad_calib_setup(c);
-    printf("  rig %s -> %s, %d evaluations; on the other pose %.1f %% -> %.1f %%; outcome %d\n",
+    printf("  rig %s -> %s, %d evaluations; on the other pose %.1f %% -> %.1f %%; outcome: %s\n",
            verdict_name(r.verdict_before), verdict_name(r.verdict_after), r.evaluations,
-           r.judge_before_q20 / 10485.76, r.judge_after_q20 / 10485.76, r.outcome);
+           r.judge_before_q20 / 10485.76, r.judge_after_q20 / 10485.76, calib_outcome_name(r.outcome));
     tell_params("before", &factory.params);
     tell_params("after ", &adopted.params);
     if (look(t, &t->corrected_map, "corrected", &t->disturbed, &factory.params, &adopted.rig) != TOOL_OK ||
@@ -149,9 +179,10 @@ static int tell(telling *t)
         slot >= 0 && slot != STAD_SLOT_FACTORY && memcmp(&adopted, stad_calib_setup(c), sizeof adopted) == 0;
     printf("\nafter a reset the setup comes from slot %d: %s\n", slot,
            restored ? "the adopted one" : "NOT the adopted one");
+    int told = fail_cameras(t);
     if (write_summary(t, &r, restored) != TOOL_OK)
         return t->fail.status;
-    return r.outcome == STAD_CALIB_ADOPTED && restored ? TOOL_OK : TOOL_REFUSED;
+    return r.outcome == STAD_CALIB_ADOPTED && restored && told ? TOOL_OK : TOOL_REFUSED;
 }
 
 /* Can the folder be written? Asked before anything is worked out. */
@@ -168,8 +199,13 @@ static int check_folder(telling *t)
 int main(int argc, char **argv)
 {
     static telling t;
-    t.folder = argc == 3 && strcmp(argv[1], "-o") == 0 ? argv[2] : "build/demo";
-    if (argc != 1 && argc != 3) {
+    t.folder = argc == 3 ? argv[2] : "build/demo";
+    if (argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
+        puts("usage: stad-story [-o FOLDER]\n\nTells how a board helps itself; pictures and summary.json go to FOLDER "
+             "(build/demo).");
+        return TOOL_OK;
+    }
+    if (argc != 1 && (argc != 3 || strcmp(argv[1], "-o") != 0)) {
         fprintf(stderr, "usage: stad-story [-o FOLDER]\n");
         return TOOL_USAGE;
     }

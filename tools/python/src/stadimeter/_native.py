@@ -187,6 +187,7 @@ _SIGNATURES = {
     "stad_calib_config_default": (None, [POINTER(CalibConfig), POINTER(Geometry), c_void_p, POINTER(Camera)]),
     "stad_calib_init": (c_int, [c_void_p, POINTER(CalibConfig), POINTER(Setup)]),
     "stad_calib_counts": (c_int, [c_void_p, POINTER(MatchCounts)]),
+    "stad_calib_live": (c_int, [c_void_p, POINTER(Image), POINTER(Image)]),
     "stad_calib_start": (c_int, [c_void_p]),
     "stad_calib_cancel": (None, [c_void_p]),
     "stad_calib_want": (c_int, [c_void_p, POINTER(Request)]),

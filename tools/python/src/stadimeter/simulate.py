@@ -22,8 +22,9 @@ PHASES = ("idle", "look", "other", "confirm", "pick", "tune", "judge", "save", "
 OUTCOMES = ("none", "sound", "adopted", "corrected", "kept", "rolled back", "no marks", "no pose", "rig failed", "fault",
             "cancelled")
 FAULTS = ("none", "late", "black", "saturated", "flat", "frozen", "swapped", "marks", "range", "rig", "size", "camera",
-          "moving")
+          "moving", "same")
 _NOTHING, _FRAME, _MATCH, _SAVE = range(4)
+_FAILED = 2**31 - 1  # STAD_COST_FAILED
 # The bounds of the search: the matcher's memory is made for them.
 _MOST_BLOCK, _MOST_P2, _MOST_CAP, _EVERY_EVALUATION = 11, 8192, 127, 240
 
@@ -32,32 +33,38 @@ def _name(names: Tuple[str, ...], i: int) -> str:
     return names[i] if i < len(names) else f"{i}"
 
 
+def _cost(q20: int) -> Optional[float]:
+    return q20 / 2**20 if 0 <= q20 != _FAILED else None
+
+
 def _params(p: native.Params) -> Dict[str, int]:
     return {name: int(getattr(p, name)) for name in native.PARAMS}
 
 
 @dataclass
 class Step:
-    """A frame: the monitor's state, where the calibration stands, the share it watches, the parameters it was matched with."""
+    """A frame: the monitor's state, where the calibration stands, the share it watches, the parameters it was matched with, and
+    what is wrong with the cameras ("none", "black", "frozen", ...), whether or not a run looks."""
     state: str
     phase: str
     share: float
     counts: Dict[str, int]
     params: Dict[str, int]
     disparity: Optional[NDArray[np.int16]]
+    fault: str = "none"
 
 
 @dataclass
 class Run:
-    """A calibration run that ended."""
+    """A calibration run that ended. Costs of which none was measured are None."""
     frame: int
     outcome: str
     fault: str
     evaluations: int
-    tune_before: float
-    tune_after: float
-    judge_before: float
-    judge_after: float
+    tune_before: Optional[float]
+    tune_after: Optional[float]
+    judge_before: Optional[float]
+    judge_after: Optional[float]
     params: Dict[str, int]
     corrected: bool
 
@@ -149,12 +156,12 @@ class Board:
         straight = correct(setup.rig, views[1]) if setup.corrected else views[1]
         disparity = self._disparity(setup.params, views[0], straight)
         counts = lib.stad_match_counts_of(self._match.ctypes.data).contents
-        params = _params(setup.params)
+        params, fault = _params(setup.params), self._live_fault(views)
         state = lib.stad_calib_counts(self._calib.ctypes.data, counts)
         self._note_run()
         self._serve(views, evaluations)
         return Step(STATES[state], self.phase, counts.firm / counts.considered if counts.considered > 0 else 0.0,
-                    {name: int(getattr(counts, name)) for name in native.MATCH_COUNTS}, params, disparity)
+                    {name: int(getattr(counts, name)) for name in native.MATCH_COUNTS}, params, disparity, fault)
 
     def miss(self) -> Step:
         """A frame that did not come."""
@@ -164,7 +171,7 @@ class Board:
             lib.stad_calib_frame(self._calib.ctypes.data, None, None, self._work.ctypes.data, self._work.size)
         self._note_run()
         none = {name: 0 for name in native.MATCH_COUNTS}
-        return Step("skipped", self.phase, 0.0, none, self.params, None)
+        return Step("skipped", self.phase, 0.0, none, self.params, None, "late")
 
     def calibrate(self) -> None:
         """Begins a run with the next frame, whatever the monitor says."""
@@ -173,6 +180,12 @@ class Board:
     def finish(self) -> None:
         """Does what is still asked for and needs no frame."""
         self._serve(None, _EVERY_EVALUATION)
+
+    def _live_fault(self, views: Tuple[NDArray[np.uint8], NDArray[np.uint8]]) -> str:
+        (left, keep_left), (right, keep_right) = _borrow(views[0]), _borrow(views[1])
+        fault = lib.stad_calib_live(self._calib.ctypes.data, left, right)
+        del keep_left, keep_right
+        return _name(FAULTS, fault)
 
     def _disparity(self, p: native.Params, left: NDArray[np.uint8], right: NDArray[np.uint8]) -> NDArray[np.int16]:
         out = np.empty(left.shape[:2], np.int16)
@@ -233,8 +246,8 @@ class Board:
         news, self._last_outcome = r.outcome not in (0, self._last_outcome), r.outcome
         if news:
             self.runs.append(Run(self._frame, _name(OUTCOMES, r.outcome), _name(FAULTS, r.fault), r.evaluations,
-                                 r.tune_before_q20 / 2**20, r.tune_after_q20 / 2**20, r.judge_before_q20 / 2**20,
-                                 r.judge_after_q20 / 2**20, self.params, self.corrected))
+                                 _cost(r.tune_before_q20), _cost(r.tune_after_q20), _cost(r.judge_before_q20),
+                                 _cost(r.judge_after_q20), self.params, self.corrected))
 
     # -- what it says ------------------------------------------------------------------------------------------------------
 
