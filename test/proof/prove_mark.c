@@ -34,7 +34,19 @@ static void prove_lines(void)
     stad_corner at;
     stad_mark_unit_q14(any64(-(1ll << 62), 1ll << 62), any64(-(1ll << 62), 1ll << 62), &ux, &uy);
     stad_mark_line_distance_q8(&a, any(-REACH, REACH), any(-REACH, REACH));
-    stad_mark_line_meet(&a, &b, &at);
+    if (stad_mark_line_meet(&a, &b, REACH, &at)) {
+        //@ assert -REACH / 16 <= at.x_q8 <= REACH + REACH / 16 && -REACH / 16 <= at.y_q8 <= REACH + REACH / 16;
+    }
+}
+
+/* Sums as large as mark_line.h says: of refined edges, of contours. */
+static void prove_fit(void)
+{
+    const int64_t sum = 1 << 29, squares = 1ll << 45;
+    const mark_moments m = {any_corner(), any64(0, 1 << 13), any64(-sum, sum), any64(-sum, sum), any64(0, squares), any64(-squares, squares),
+                            any64(0, squares)};
+    mark_line line;
+    stad_mark_line_fit(&m, &line);
 }
 
 static void prove_edges(void)
@@ -75,6 +87,7 @@ static void prove_pairs(void)
 int main(void)
 {
     prove_lines();
+    prove_fit();
     prove_edges();
     prove_decode();
     prove_pairs();

@@ -239,6 +239,7 @@ static void test_mark_line_through_points_met_and_missed(void)
     mark_line across, down, parallel;
     stad_corner p;
     const stad_corner origin = {0, 0};
+    const int32_t reach = STAD_MARK_MAX_SIZE * 256;
     stad_mark_moments_first(&m, origin);
     for (int i = 0; i < 10; i++)
         stad_mark_moments_add(&m, i * 256, 512 + i * 64);
@@ -247,12 +248,14 @@ static void test_mark_line_through_points_met_and_missed(void)
     for (int i = 0; i < 10; i++)
         stad_mark_moments_add(&m, 1024, i * 256);
     TEST_ASSERT_TRUE(stad_mark_line_fit(&m, &down));
-    TEST_ASSERT_TRUE(stad_mark_line_meet(&across, &down, &p));
+    TEST_ASSERT_TRUE(stad_mark_line_meet(&across, &down, reach, &p));
     TEST_ASSERT_INT_WITHIN(1, 1024, p.x_q8);
     TEST_ASSERT_INT_WITHIN(1, 768, p.y_q8);
+    down.p.x_q8 += 2 * reach;
+    TEST_ASSERT_FALSE(stad_mark_line_meet(&across, &down, reach, &p));
     parallel = across;
     parallel.p.y_q8 += 256;
-    TEST_ASSERT_FALSE(stad_mark_line_meet(&across, &parallel, &p));
+    TEST_ASSERT_FALSE(stad_mark_line_meet(&across, &parallel, reach, &p));
     stad_mark_moments_first(&m, origin);
     for (int i = 0; i < 10; i++)
         stad_mark_moments_add(&m, 5, 5);

@@ -64,16 +64,17 @@ int32_t stad_mark_line_distance_q8(const mark_line *line, int32_t x_q8, int32_t 
     return (int32_t)((y * line->dx_q14 - x * line->dy_q14) / 16384);
 }
 
-int stad_mark_line_meet(const mark_line *a, const mark_line *b, stad_corner *p)
+int stad_mark_line_meet(const mark_line *a, const mark_line *b, int32_t reach, stad_corner *p)
 {
     /* Q28; of unit vectors the sine of the angle between them. */
     const int64_t sine = (int64_t)a->dx_q14 * b->dy_q14 - (int64_t)a->dy_q14 * b->dx_q14;
     if (sine < (1 << 25) && sine > -(1 << 25))
         return 0;
     const int64_t x = b->p.x_q8 - a->p.x_q8, y = b->p.y_q8 - a->p.y_q8;
+    const int32_t low = -(reach >> 4), high = reach - low;
     /* |x dy - y dx| < 2^20 * 2^15 * 2 = 2^36, times 2^14 = 2^50; divided by >= 2^25: along < 2^25. */
     const int64_t along = (x * b->dy_q14 - y * b->dx_q14) * 16384 / sine;
     p->x_q8 = a->p.x_q8 + (int32_t)(along * a->dx_q14 / 16384);
     p->y_q8 = a->p.y_q8 + (int32_t)(along * a->dy_q14 / 16384);
-    return 1;
+    return p->x_q8 >= low && p->x_q8 <= high && p->y_q8 >= low && p->y_q8 <= high;
 }

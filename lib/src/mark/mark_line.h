@@ -31,8 +31,8 @@ int stad_mark_line_fit(const mark_moments *m, mark_line *line);
 /* Distance of a point, Q8 px, positive to the right of the direction. */
 int32_t stad_mark_line_distance_q8(const mark_line *line, int32_t x_q8, int32_t y_q8);
 
-/* 1, or 0 when they meet at less than about 7 degrees. */
-int stad_mark_line_meet(const mark_line *a, const mark_line *b, stad_corner *p);
+/* 1, or 0 when they meet at less than about 7 degrees, or farther than a sixteenth of `reach` from the square 0 .. reach. */
+int stad_mark_line_meet(const mark_line *a, const mark_line *b, int32_t reach, stad_corner *p);
 
 /* The vector (x, y) as a unit vector in Q14. Returns its length. */
 int32_t stad_mark_unit_q14(int64_t x, int64_t y, int32_t *ux_q14, int32_t *uy_q14);

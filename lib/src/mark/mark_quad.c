@@ -94,7 +94,7 @@ int stad_mark_quad(const mark_work *w, int32_t area2, mark_quad *quad)
             return 0;
     for (int i = 0; i < 4; i++) {
         stad_corner p;
-        if (!stad_mark_line_meet(&side[(i + 3) % 4], &side[i], &p))
+        if (!stad_mark_line_meet(&side[(i + 3) % 4], &side[i], STAD_MARK_MAX_SIZE * 16, &p))
             return 0;
         /* Contour units to pixel centres: 16 steps a pixel, half a pixel off. */
         quad->p[i].x_q8 = p.x_q8 * 16 - 128;

@@ -15,7 +15,7 @@ static int refine_once(const mark_work *w, mark_quad *quad, int32_t reach)
         if (!stad_mark_edge_line(w, quad->p[i], quad->p[(i + 1) % 4], reach, &side[i]))
             return 0;
     for (int i = 0; i < 4; i++)
-        if (!stad_mark_line_meet(&side[(i + 3) % 4], &side[i], &quad->p[i]))
+        if (!stad_mark_line_meet(&side[(i + 3) % 4], &side[i], STAD_MARK_MAX_SIZE * 256, &quad->p[i]))
             return 0;
     return 1;
 }
