@@ -166,9 +166,11 @@ static int tell(telling *t)
     work(t, &t->disturbed);
     stad_calib_report r = *stad_calib_report_of(c);
     stad_setup adopted = *stad_calib_setup(c);
-    printf("  rig %s -> %s, %d evaluations; on the other pose %.1f %% -> %.1f %%; outcome: %s\n",
-           verdict_name(r.verdict_before), verdict_name(r.verdict_after), r.evaluations,
-           r.judge_before_q20 / 10485.76, r.judge_after_q20 / 10485.76, calib_outcome_name(r.outcome));
+    printf("  rig %s -> %s, %d evaluations", verdict_name(r.verdict_before), verdict_name(r.verdict_after),
+           r.evaluations);
+    if (r.judge_before_q20 >= 0) /* measured */
+        printf("; on the other pose %.1f %% -> %.1f %%", r.judge_before_q20 / 10485.76, r.judge_after_q20 / 10485.76);
+    printf("; outcome: %s\n", calib_outcome_name(r.outcome));
     tell_params("before", &factory.params);
     tell_params("after ", &adopted.params);
     if (look(t, &t->corrected_map, "corrected", &t->disturbed, &factory.params, &adopted.rig) != TOOL_OK ||
