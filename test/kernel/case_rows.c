@@ -195,3 +195,51 @@ int case_median(kernel_case *k)
     stad_median_row_c(above, row, below, width, reference);
     return memcmp(mine, reference, 2 * (size_t)width) == 0;
 }
+
+/* Winners; half of the rows have stretches of one disparity, as surfaces have. */
+static const stad_best *draw_winners(chance *c, int32_t count)
+{
+    int16_t *cell = room_i16(c, 3 * count, -32, STAD_COST_MAX);
+    const int32_t stretch = chance_draw(c) % 2 ? 1 : chance_between(c, 8, 40);
+    for (int32_t i = 0; i < count; i++) {
+        cell[3 * i] = (int16_t)(i % stretch ? cell[3 * i - 3] : chance_between(c, 0, 40));
+        if (chance_draw(c) % 2) /* a close rival */
+            cell[3 * i + 2] = (int16_t)least_i32(cell[3 * i + 1] + chance_between(c, 0, most_i32(cell[3 * i + 1], 0) / 4 + 1), STAD_COST_MAX);
+    }
+    return (const stad_best *)(void *)cell;
+}
+
+int case_select(kernel_case *k)
+{
+    chance *c = &k->chance;
+    const int32_t count = k->size, x = chance_between(c, 0, 40), width = x + count + chance_between(c, 0, 9);
+    const int32_t min_disparity = chance_between(c, -20, 20), uniqueness = chance_draw(c) % 3 ? chance_between(c, 0, 99) : 0;
+    const int16_t none = (int16_t)((min_disparity - 1) * 16);
+    uint8_t *sure[2] = {NULL, NULL};
+    int16_t *row[2][3];
+    stad_select_job job = {draw_winners(c, count), room_i16(c, count, -8, 700), x, count, width, min_disparity, uniqueness,
+                           chance_draw(c) % 4 == 0, NULL, NULL, NULL, NULL, 5, 7};
+    for (int i = 0; i < 3; i++) {
+        row[0][i] = room_i16(c, width, i < 2 ? none : STAD_COST_MAX, i < 2 ? none : STAD_COST_MAX);
+        row[1][i] = room_twin(row[0][i]);
+    }
+    if (chance_draw(c) % 4 == 0) {
+        sure[0] = room_u8(c, width, 0, 0);
+        sure[1] = room_twin(sure[0]);
+    }
+    snprintf(k->text, sizeof k->text, "x %d count %d width %d min %d uniqueness %d 3way %d confidence %d", x, count, width, min_disparity,
+             uniqueness, job.floor_rule, sure[0] != NULL);
+    stad_select_job jobs[2] = {job, job};
+    for (int i = 0; i < 2; i++) {
+        jobs[i].disp = row[i][0];
+        jobs[i].vote_disp = row[i][1];
+        jobs[i].vote_cost = row[i][2];
+        jobs[i].confidence = sure[i];
+    }
+    k->set->select(&jobs[0]);
+    stad_select_row_c(&jobs[1]);
+    int same = jobs[0].firm == jobs[1].firm && jobs[0].rejected == jobs[1].rejected;
+    for (int i = 0; i < 3; i++)
+        same = same && memcmp(row[0][i], row[1][i], 2 * (size_t)width) == 0;
+    return same && (!sure[0] || memcmp(sure[0], sure[1], (size_t)width) == 0);
+}

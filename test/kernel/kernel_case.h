@@ -32,5 +32,6 @@ int case_gather(kernel_case *k);
 int case_best(kernel_case *k);
 int case_best_3way(kernel_case *k);
 int case_median(kernel_case *k);
+int case_select(kernel_case *k);
 
 #endif

@@ -133,6 +133,14 @@ void stad_best_row_3way_x86(const int16_t *total, int32_t count, int32_t dispari
     STAD_DISPATCH(tier_for(disparities), stad_best_row_3way, (total, count, disparities, best));
 }
 
+void stad_select_row_x86(stad_select_job *job)
+{
+    if (stad_x86_tier() == TIER_C)
+        stad_select_row_c(job);
+    else
+        stad_select_row_sse41(job);
+}
+
 void stad_median_row_x86(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out)
 {
     STAD_DISPATCH(stad_x86_tier(), stad_median_row, (above, row, below, width, out));

@@ -18,6 +18,7 @@ void stad_path_row_x86(const stad_path_job *job, stad_lane *lanes, int32_t lane_
 void stad_gather_row_x86(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_x86(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_x86(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_select_row_x86(stad_select_job *job);
 void stad_median_row_x86(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
 /* -- 128-bit vectors -- */
@@ -35,6 +36,7 @@ void stad_gather_row_sse41(int16_t *total, const stad_lane *lane, int32_t slot, 
 void stad_best_row_sse41(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_sse41(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_median_row_sse41(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
+void stad_select_row_sse41(stad_select_job *job); /* at every tier */
 
 /* -- 256-bit vectors -- */
 void stad_prefilter_row_avx2(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
