@@ -9,15 +9,15 @@ int engine_share_open(engine_share *s, const stad_geometry *g, int count, tool_f
 {
     const size_t bytes = stad_winners_bytes(g);
     memset(s, 0, sizeof *s);
+    s->last = -1;
     if (count == 0)
         return TOOL_OK;
     s->set = calloc((size_t)count, sizeof *s->set);
-    s->used = calloc((size_t)count, sizeof *s->used);
-    for (; s->set && s->used && s->count < count; s->count++) {
+    for (; s->set && s->count < count; s->count++) {
         void *memory = malloc(bytes);
         if (!memory)
             break;
-        stad_winners_init(&s->set[s->count], g, memory, bytes);
+        stad_winners_init(&s->set[s->count].of, g, memory, bytes);
     }
     if (s->count == count)
         return TOOL_OK;
@@ -29,31 +29,42 @@ int engine_share_open(engine_share *s, const stad_geometry *g, int count, tool_f
 void engine_share_close(engine_share *s)
 {
     for (int i = 0; i < s->count; i++)
-        free(s->set[i].memory);
+        free(s->set[i].of.memory);
     free(s->set);
-    free(s->used);
     memset(s, 0, sizeof *s);
 }
 
 const stad_winners *engine_share_find(engine_share *s, const stad_params *p)
 {
-    for (int i = 0; i < s->count; i++)
-        if (stad_winners_serve(&s->set[i], p)) {
-            s->used[i] = ++s->clock;
+    for (int i = 0; i < s->filled; i++)
+        if (stad_winners_serve(&s->set[i].of, p)) {
+            s->last = i;
             s->served++;
-            return &s->set[i];
+            return &s->set[i].of;
         }
     return NULL;
 }
 
+static int worst_of(const engine_share *s)
+{
+    int worst = 0;
+    for (int i = 1; i < s->count; i++)
+        if (s->set[i].cost > s->set[worst].cost)
+            worst = i;
+    return worst;
+}
+
 stad_winners *engine_share_next(engine_share *s)
 {
-    int oldest = 0;
     if (s->count == 0)
         return NULL;
-    for (int i = 1; i < s->count; i++)
-        if (s->used[i] < s->used[oldest])
-            oldest = i;
-    s->used[oldest] = ++s->clock;
-    return &s->set[oldest];
+    s->last = s->filled < s->count ? s->filled++ : worst_of(s);
+    s->set[s->last].cost = STAD_COST_FAILED;
+    return &s->set[s->last].of;
+}
+
+void engine_share_judge(engine_share *s, int32_t cost)
+{
+    if (s->last >= 0 && s->last < s->count && cost < s->set[s->last].cost)
+        s->set[s->last].cost = cost;
 }

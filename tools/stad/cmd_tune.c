@@ -26,8 +26,9 @@ static const char help[] =
     "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
     "  --threshold PX       error above which a pixel is wrong (1)\n"
     "  --max-evals N        distinct evaluations at most, 1..240 (100)\n"
-    "  --share N            frames whose winners are kept, 8 bytes a pixel each: points that differ only in\n"
-    "                       uniqueness_ratio or disp12_max_diff then need no matching (8; same result).\n"
+    "  --share N            frames whose winners are kept, 8 bytes a pixel each, the best N - 1 and the last:\n"
+    "                       points that differ only in uniqueness_ratio or disp12_max_diff then need no matching\n"
+    "                       (3; same result).\n"
     "                       For bad the search settles these two wherever it gets to: a third of its points\n"
     "  --seed N             of the draws of hybrid, and of the crosses that end ncg and hybrid (0). The same\n"
     "                       seed and costs give the same search on every machine\n"
@@ -228,7 +229,7 @@ static int read_options(tune_job *j, int argc, char **argv, tool_fail *f)
     unsigned long long given = 0;
     match_options_init(&j->options);
     params_some_init(&j->start);
-    j->share = 8;
+    j->share = 3;
     while ((code = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
         int status = match_options_take(&j->options, code, optarg, &mine, f);
         if (code == 'h')

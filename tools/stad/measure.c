@@ -38,7 +38,7 @@ static double bad_of(const stad_score_counts *c)
     return ratio(c->wrong_visible + c->missing_visible, c->visible);
 }
 
-static void take_main(measures *m, const stad_score *s)
+void measure_take(measures *m, const stad_score *s)
 {
     const stad_score_counts *c = &s->counts;
     double estimated = c->visible - c->missing_visible;
@@ -65,7 +65,7 @@ int measure(measures *m, const disparity *d, const truth_map *t, int num_dispari
     int status = score_at(&s, d, t, num_disparities, threshold, f);
     if (status)
         return status;
-    take_main(m, &s);
+    measure_take(m, &s);
     if (s.counts.visible == 0)
         return tool_fail_set(f, TOOL_USAGE,
                              "no pixel can be scored: the truth has none visible right of column %d",

@@ -154,7 +154,8 @@ int scene_find_truth(scored_scene *c, const stad_camera *camera, tool_fail *f)
     return truth_from_marks(&c->truth, &c->left, &c->right, &c->base, camera, names, f);
 }
 
-int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, tool_fail *f)
+int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, measures *m,
+               tool_fail *f)
 {
     stad_score score;
     stad_score_config config;
@@ -172,5 +173,7 @@ int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_
                              p->min_disparity, p->num_disparities, how->threshold);
     measure_feed(&score, &c->disp, &c->truth);
     *cost_q20 = stad_score_end(&score);
+    engine_share_judge(&c->engine.share, *cost_q20);
+    measure_take(m, &score);
     return TOOL_OK;
 }

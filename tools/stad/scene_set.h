@@ -49,7 +49,8 @@ void scene_set_free(scene_set *s);
 /* The truth of a scene with fiducials; base is set. */
 int scene_find_truth(scored_scene *c, const stad_camera *camera, tool_fail *f);
 
-/* Matches and scores one scene. TOOL_OK with the cost (Q20, STAD_COST_FAILED: parameters that the domain refuses). */
-int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, tool_fail *f);
+/* Matches and scores one scene. TOOL_OK with the cost (Q20, STAD_COST_FAILED: parameters that the domain refuses, or no pixel that
+ * can be scored); *m as measure_take(), untouched where the domain refuses. */
+int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, measures *m, tool_fail *f);
 
 #endif

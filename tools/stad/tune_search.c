@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * stad/tune_search.c - the loop of `stad tune`: ask, match, score, tell. */
 #include <limits.h>
+#include <string.h>
 
 #include "tool.h"
 #include "tune_job.h"
@@ -151,47 +152,38 @@ static int prepare(tune_job *j, tool_fail *f)
     return status;
 }
 
-/* The mean cost over the scenes; a scene that cannot be matched so fails the point. */
-static int cost_at(tune_job *j, const stad_point *x, int32_t *cost_q20, tool_fail *f)
+/* The mean cost and measures over the scenes; a scene that cannot be matched so fails the point. */
+static int evaluate(tune_job *j, const stad_point *x, int32_t *cost_q20, tune_point *at, tool_fail *f)
 {
+    const int count = j->set.count;
     int64_t sum = 0;
-    for (int i = 0; i < j->set.count; i++) {
+    *at = (tune_point){.params = params_at(&j->set.scene[0].base, x)};
+    *cost_q20 = STAD_COST_FAILED;
+    for (int i = 0; i < count; i++) {
         stad_params p = params_at(&j->set.scene[i].base, x);
         int32_t cost;
-        int status = scene_cost(&j->set.scene[i], &p, &j->how, &cost, f);
-        if (status)
+        measures m = {0};
+        int status = scene_cost(&j->set.scene[i], &p, &j->how, &cost, &m, f);
+        if (status || cost == STAD_COST_FAILED)
             return status;
-        if (cost == STAD_COST_FAILED) {
-            *cost_q20 = STAD_COST_FAILED;
-            return TOOL_OK;
-        }
         sum += cost;
+        at->bad += m.bad_at_threshold / count;
+        at->chow += m.chow / count;
+        at->rmse += m.rmse / count;
+        at->density += m.density / count;
     }
-    *cost_q20 = (int32_t)((sum + j->set.count / 2) / j->set.count);
+    *cost_q20 = (int32_t)((sum + count / 2) / count);
+    at->cost = (double)*cost_q20 / STAD_COST_ONE;
     return TOOL_OK;
 }
 
-/* Every measure at a point, means over the scenes. */
-static int describe(tune_job *j, const stad_point *x, tune_point *at, tool_fail *f)
+/* The first point, which the search asks for again if it lies on its lattice. */
+static int evaluate_start(tune_job *j, const stad_point *x, int32_t *cost_q20, tool_fail *f)
 {
-    int32_t cost;
-    int status = cost_at(j, x, &cost, f);
-    if (status == TOOL_OK && cost == STAD_COST_FAILED)
-        status = tool_fail_set(
-            f, TOOL_USAGE,
-            "no pixel of a scene can be scored: the truth lies left of column min + num disparities");
-    if (status)
-        return status;
-    *at = (tune_point){.params = params_at(&j->set.scene[0].base, x), .cost = (double)cost / STAD_COST_ONE};
-    for (int i = 0; i < j->set.count && status == TOOL_OK; i++) {
-        const scored_scene *c = &j->set.scene[i];
-        measures m;
-        status = measure(&m, &c->disp, &c->truth, c->base.num_disparities, j->how.threshold, f);
-        at->bad += m.bad_at_threshold / j->set.count;
-        at->chow += m.chow / j->set.count;
-        at->rmse += m.rmse / j->set.count;
-        at->density += m.density / j->set.count;
-    }
+    int status = evaluate(j, x, cost_q20, &j->first, f);
+    if (status == TOOL_OK && *cost_q20 == STAD_COST_FAILED)
+        return tool_fail_set(f, TOOL_USAGE,
+                             "no pixel of a scene can be scored: the truth lies left of column min + num disparities");
     return status;
 }
 
@@ -204,27 +196,39 @@ static void show_progress(const tune_job *j)
                       tune_cost_name(j->how.cost), 100.0 * best / STAD_COST_ONE);
 }
 
+/* Asks, evaluates and tells until the search ends; the best is the earliest of equals. */
+static int run(tune_job *j, const stad_point *start, int32_t start_cost, tool_fail *f)
+{
+    int32_t best = STAD_COST_FAILED;
+    stad_point x;
+    while (stad_tune_ask(&j->tune, &x) == 1) {
+        int32_t cost = start_cost;
+        tune_point at = j->first;
+        int status = memcmp(&x, start, sizeof x) == 0 ? TOOL_OK : evaluate(j, &x, &cost, &at, f);
+        if (status)
+            return status;
+        stad_tune_tell(&j->tune, cost);
+        if (cost < best) {
+            best = cost;
+            j->best = at;
+        }
+        show_progress(j);
+    }
+    return best == STAD_COST_FAILED ? tool_fail_set(f, TOOL_USAGE, "no point could be scored") : TOOL_OK;
+}
+
 int tune_search(tune_job *j, tool_fail *f)
 {
-    stad_point x;
-    double start = tool_seconds();
+    double begin = tool_seconds();
+    int32_t cost;
     int status = prepare(j, f);
     if (status)
         return status;
-    x = point_of(&j->set.scene[0].base);
-    status = describe(j, &x, &j->first, f);
-    while (status == TOOL_OK && stad_tune_ask(&j->tune, &x) == 1) {
-        int32_t cost;
-        status = cost_at(j, &x, &cost, f);
-        if (status == TOOL_OK)
-            stad_tune_tell(&j->tune, cost);
-        show_progress(j);
-    }
-    if (status == TOOL_OK && stad_tune_best(&j->tune, &x, NULL) != STAD_OK)
-        status = tool_fail_set(f, TOOL_USAGE, "no point could be scored");
+    stad_point start = point_of(&j->set.scene[0].base);
+    status = evaluate_start(j, &start, &cost, f);
     if (status == TOOL_OK)
-        status = describe(j, &x, &j->best, f);
-    j->seconds = tool_seconds() - start;
+        status = run(j, &start, cost, f);
+    j->seconds = tool_seconds() - begin;
     progress_end();
     return status;
 }
