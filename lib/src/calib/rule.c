@@ -7,23 +7,25 @@
 #include "base/log.h"
 #include "calib/calib_parts.h"
 
-/* Octaves between two values of a coordinate, Q16. */
-static int64_t octaves(int32_t a, int32_t b)
+/* Octaves between two values of a coordinate, Q16: at most 2^21 either way. */
+static int32_t octaves(const stad_point *a, const stad_point *b, int i)
 {
-    return (int64_t)stad_log2_q16((uint32_t)a) - stad_log2_q16((uint32_t)b);
+    return stad_log2_q16((uint32_t)a->v[i]) - stad_log2_q16((uint32_t)b->v[i]);
+}
+
+static int64_t square(int32_t x)
+{
+    return (int64_t)x * x;
 }
 
 /* Squared distance in the tuner's own steps: octaves of P1 and P2 over the block's area, octaves of the cap, eights
- * of uniqueness. Each term is at most (32 * 2^16)^2 = 2^42. */
+ * of uniqueness. Each term of points that can be matched is at most (32 * 2^16)^2 = 2^42. */
 static int64_t squared_steps_q32(const stad_point *a, const stad_point *b)
 {
-    int64_t block = 2 * octaves(a->v[STAD_TUNE_BLOCK_SIZE], b->v[STAD_TUNE_BLOCK_SIZE]);
-    int64_t p1 = octaves(a->v[STAD_TUNE_P1], b->v[STAD_TUNE_P1]) - block;
-    int64_t p2 = octaves(a->v[STAD_TUNE_P2], b->v[STAD_TUNE_P2]) - block;
-    int64_t cap = octaves(a->v[STAD_TUNE_PRE_FILTER_CAP], b->v[STAD_TUNE_PRE_FILTER_CAP]);
-    int64_t margin =
-        (int64_t)(a->v[STAD_TUNE_UNIQUENESS_RATIO] - b->v[STAD_TUNE_UNIQUENESS_RATIO]) * (65536 / 8);
-    return p1 * p1 + p2 * p2 + cap * cap + margin * margin;
+    int32_t block = 2 * octaves(a, b, STAD_TUNE_BLOCK_SIZE);
+    int32_t margin = (a->v[STAD_TUNE_UNIQUENESS_RATIO] - b->v[STAD_TUNE_UNIQUENESS_RATIO]) * (65536 / 8);
+    return square(octaves(a, b, STAD_TUNE_P1) - block) + square(octaves(a, b, STAD_TUNE_P2) - block) +
+           square(octaves(a, b, STAD_TUNE_PRE_FILTER_CAP)) + square(margin);
 }
 
 /* (cost + 1 point) (1 + by) - 1 point: `by` 0 leaves the cost as it is, and a cost of nothing is raised too. */
