@@ -86,6 +86,12 @@ for set in start best; do
 done
 awk -v a="$(cat start.bad)" -v b="$(cat best.bad)" 'BEGIN { exit !(b < a) }' ||
     fail "what was tuned on the target is worse on the whole of another frame: $(cat start.bad best.bad)"
+run scene -o tall --target --frames 3 --width 320 --height 240 --seed 3 --pgm
+for view in left right; do # the rows below the principal point, which lies above the picture then
+    { printf 'P5\n320 115\n255\n'; tail -c $((115 * 320)) tall/002_$view.pgm; } >low_$view.pgm
+done
+run tune low_left.pgm low_right.pgm --fiducials --focal 192 --center 159.5,-5.5 --num-disparities 64 --max-evals 1 --json low.json
+awk -v a="$(number bad low.json)" 'BEGIN { exit !(a > 0 && a < 0.03) }' || fail "a principal point off the picture: $(cat out.txt)"
 run scene -o sunk --target --frames 1 --width 320 --height 240 --drift 2
 "$stad" tune sunk/000_left.png sunk/000_right.png --fiducials --focal 192 2>err.txt >out.txt
 [ $? = 1 ] && grep -q 'the rows of the two views differ' err.txt || fail "a sunk camera is not refused: $(cat err.txt)"

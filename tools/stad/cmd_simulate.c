@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * stad/cmd_simulate.c - stad simulate: recorded frames through the code that a board runs. */
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -251,7 +252,7 @@ int cmd_simulate(int argc, char **argv)
 {
     static simulation s; /* holds a board */
     tool_fail f = {0};
-    s.cx = s.cy = -1;
+    s.cx = s.cy = (double)NAN;
     s.bad.gain = 100;
     s.calibrate_at = s.probation_frames = -1;
     s.evaluations_per_frame = 4;

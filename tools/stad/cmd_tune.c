@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * stad/cmd_tune.c - stad tune: better parameters for pairs with ground truth. */
 #include <getopt.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -302,7 +303,7 @@ int cmd_tune(int argc, char **argv)
     static tune_job j; /* holds the tuner's log */
     tool_fail f = {0};
     j.how.threshold = 1;
-    j.cx = j.cy = -1;
+    j.cx = j.cy = (double)NAN;
     if (scene_set_single(&j.set, &f))
         return tool_report(argv[0], &f);
     j.command = report_command(argc, argv);

@@ -44,7 +44,7 @@ typedef struct simulation {
     const char *where, *csv, *json, *report;
     char *command;
     report_rig rig;
-    double cx, cy; /* principal point, px; negative = the middle */
+    double cx, cy; /* principal point, px; not a number = the middle */
     degrade bad;
     int side_by_side, raw_width, raw_height, keep_going, color;
     long calibrate_at, evaluations_per_frame, learn_frames, probation_frames, budget, limit, jobs;

@@ -29,19 +29,10 @@ static stad_geometry geometry_of(const simulation *s, const stad_params *p, cons
     return g;
 }
 
-static stad_camera camera_of(const simulation *s, const picture *left)
-{
-    double f = s->rig.focal_px > 0 ? s->rig.focal_px : left->width;
-    double cx = s->cx >= 0 ? s->cx : (left->width - 1) / 2.0,
-           cy = s->cy >= 0 ? s->cy : (left->height - 1) / 2.0;
-    stad_camera c = {(int32_t)(f * 256 + 0.5), (int32_t)(cx * 256 + 0.5), (int32_t)(cy * 256 + 0.5)};
-    return c;
-}
-
 static int start_calib(simulation *s, const stad_geometry *g, const picture *left, tool_fail *f)
 {
     stad_calib_config config;
-    stad_camera camera = camera_of(s, left);
+    stad_camera camera = tool_camera(s->rig.focal_px > 0 ? s->rig.focal_px : left->width, s->cx, s->cy, left->width, left->height);
     stad_calib_config_default(&config, g, stad_target_relief(), &camera);
     config.cost = (uint8_t)s->cost;
     if (s->budget)

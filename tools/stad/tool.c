@@ -3,6 +3,7 @@
 #include "tool.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -75,9 +76,16 @@ int tool_refuse_vain(const tool_vain *list, int count, unsigned long long given,
 int tool_point(const char *option, const char *text, double *x, double *y, tool_fail *f)
 {
     char end;
-    if (sscanf(text, "%lf,%lf%c", x, y, &end) == 2 && *x >= 0 && *y >= 0 && *x < 1e5 && *y < 1e5)
+    if (sscanf(text, "%lf,%lf%c", x, y, &end) == 2 && fabs(*x) < 1e5 && fabs(*y) < 1e5)
         return TOOL_OK;
     return tool_fail_set(f, TOOL_USAGE, "--%s %s: must be X,Y in pixels", option, text);
+}
+
+stad_camera tool_camera(double focal_px, double cx, double cy, int width, int height)
+{
+    const double x = isnan(cx) ? (width - 1) / 2.0 : cx, y = isnan(cy) ? (height - 1) / 2.0 : cy;
+    const stad_camera c = {(int32_t)lround(focal_px * 256), (int32_t)lround(x * 256), (int32_t)lround(y * 256)};
+    return c;
 }
 
 static int progress_shown;

@@ -4,6 +4,7 @@
 #define STAD_TOOL_H
 
 #include "../common/fail.h"
+#include "stad/target.h"
 
 /* The commands. argv[0] is "stad NAME", which getopt_long puts in front of its own messages; the result is an exit status. */
 int cmd_match(int argc, char **argv);
@@ -45,8 +46,11 @@ typedef struct tool_vain {
 /* Refuses the first option of the list that was given in vain. */
 int tool_refuse_vain(const tool_vain *list, int count, unsigned long long given, tool_fail *f);
 
-/* "X,Y", neither negative. */
+/* "X,Y", on the picture or not. */
 int tool_point(const char *option, const char *text, double *x, double *y, tool_fail *f);
+
+/* Both views' camera; a principal point that is not a number is the middle. */
+stad_camera tool_camera(double focal_px, double cx, double cy, int width, int height);
 
 /* A line that is rewritten on a terminal, and nothing at all elsewhere. */
 #if defined(__GNUC__)

@@ -21,7 +21,7 @@ typedef struct tune_job {
     const char *list, *json, *header, *report;
     char *command; /* as typed, for the report */
     report_rig rig;
-    double cx, cy; /* principal point, px; negative = the middle */
+    double cx, cy; /* principal point, px; not a number = the middle */
     int method;
     unsigned free_mask;
     long max_evals; /* 0: the library's own */

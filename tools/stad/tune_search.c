@@ -94,15 +94,6 @@ static int open_engine(const tune_job *j, scored_scene *c, const stad_tune_confi
     return status ? status : engine_keep(&c->engine, (int)j->share, f);
 }
 
-static stad_camera camera_of(const tune_job *j, const picture *left)
-{
-    double cx = j->cx >= 0 ? j->cx : (left->width - 1) / 2.0,
-           cy = j->cy >= 0 ? j->cy : (left->height - 1) / 2.0;
-    stad_camera c = {(int32_t)(j->rig.focal_px * 256 + 0.5), (int32_t)(cx * 256 + 0.5),
-                     (int32_t)(cy * 256 + 0.5)};
-    return c;
-}
-
 /* Truth that no parameters can reach is worth a word. */
 static void note_range(const scored_scene *c)
 {
@@ -124,7 +115,7 @@ static void note_range(const scored_scene *c)
 
 static int take_base(const tune_job *j, scored_scene *c, tool_fail *f)
 {
-    stad_camera camera = camera_of(j, &c->left);
+    stad_camera camera = tool_camera(j->rig.focal_px, j->cx, j->cy, c->left.width, c->left.height);
     int status = base_of(j, c, f);
     if (status == TOOL_OK)
         status = scene_find_truth(c, &camera, f);
