@@ -17,6 +17,9 @@ static void step_one(const int16_t *restrict from, int16_t *restrict to, const i
     const int32_t n = whole_8(s->disparities);
     const int16_t p1 = s->p1, delta = s->delta[0];
     int16_t least = STAD_COST_MAX;
+    /*@ loop invariant 0 <= d <= n && 0 <= least;
+        loop invariant \forall integer k; 0 <= k < d ==> least <= to[k] <= block[k] && least <= block[k] + from[k] - delta;
+        loop assigns d, least, to[0 .. n - 1]; loop variant n - d; */
     for (int32_t d = 0; d < n; d++) {
         const int16_t here = stad_path_cost(from + d, block[d], delta, p1);
         to[d] = here;
@@ -28,6 +31,8 @@ static void step_one(const int16_t *restrict from, int16_t *restrict to, const i
 static void add_total(int16_t *restrict total, const int16_t *restrict path, int32_t disparities)
 {
     const int32_t n = whole_8(disparities);
+    /*@ loop invariant 0 <= d <= n && \forall integer k; 0 <= k < n ==> 0 <= total[k];
+        loop assigns d, total[0 .. n - 1]; loop variant n - d; */
     for (int32_t d = 0; d < n; d++)
         total[d] = stad_path_sum(total[d], path[d]);
 }
