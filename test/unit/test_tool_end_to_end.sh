@@ -54,6 +54,14 @@ run eval best.npy a/disp.pfm "${range[@]}" --json >best.json
 best_of t.json >best.part
 found=$(number 1 best.json) told=$(number bad best.part)
 [ -n "$told" ] && [ "$found" = "$told" ] || fail "tune says bad $told, eval finds $found"
+# The search counts wrong pixels by bounds, the measures by the score: the same but for the cost's rounding to 1 / 2^20.
+for how in "--threshold 0" "--threshold 0.53" "--threshold 4095" "--min-disparity -9" "--min-disparity 7 --threshold 3" "--mask a/nonocc.png"; do
+    # shellcheck disable=SC2086
+    run tune a/left.png a/right.png --truth a/disp.pfm "${range[@]}" $how --max-evals 4 --json how.json >/dev/null
+    best_of how.json >how.part
+    awk -v a="$(number cost how.part)" -v b="$(number bad how.part)" 'BEGIN { exit !(a != "" && b != "" && (a - b) ^ 2 < 1e-12) }' ||
+        fail "$how: the search says $(number cost how.part), the score $(number bad how.part)"
+done
 below "$told" "$(number bad t.json)" || fail "the best is worse than the start"
 [ "$(number evaluations t.json)" = 25 ] || fail "evaluations: $(number evaluations t.json)"
 if command -v cc >/dev/null; then

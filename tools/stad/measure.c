@@ -38,7 +38,7 @@ static double bad_of(const stad_score_counts *c)
     return ratio(c->wrong_visible + c->missing_visible, c->visible);
 }
 
-void measure_take(measures *m, const stad_score *s)
+static void take_main(measures *m, const stad_score *s)
 {
     const stad_score_counts *c = &s->counts;
     double estimated = c->visible - c->missing_visible;
@@ -53,8 +53,7 @@ void measure_take(measures *m, const stad_score *s)
     m->density = ratio(estimated, c->visible);
 }
 
-int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold,
-            tool_fail *f)
+int measure_at(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold, tool_fail *f)
 {
     stad_score s;
     memset(m, 0, sizeof *m);
@@ -65,11 +64,19 @@ int measure(measures *m, const disparity *d, const truth_map *t, int num_dispari
     int status = score_at(&s, d, t, num_disparities, threshold, f);
     if (status)
         return status;
-    measure_take(m, &s);
+    take_main(m, &s);
     if (s.counts.visible == 0)
         return tool_fail_set(f, TOOL_USAGE,
                              "no pixel can be scored: the truth has none visible right of column %d",
                              d->none_q4 / 16 + 1 + num_disparities);
+    return TOOL_OK;
+}
+
+int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold,
+            tool_fail *f)
+{
+    stad_score s;
+    int status = measure_at(m, d, t, num_disparities, threshold, f);
     for (int i = 0; i < MEASURE_THRESHOLDS && status == TOOL_OK; i++) {
         status = score_at(&s, d, t, num_disparities, measure_threshold[i], f);
         m->bad[i] = bad_of(&s.counts);

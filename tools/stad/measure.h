@@ -24,8 +24,8 @@ typedef struct measures {
 int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold,
             tool_fail *f);
 
-/* What a finished score tells at its own threshold: all fields but the lists and `threshold`. */
-void measure_take(measures *m, const stad_score *s);
+/* The same but for the lists of `bad`. */
+int measure_at(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold, tool_fail *f);
 
 /* Feeds a whole map to a score under way. */
 void measure_feed(stad_score *s, const disparity *d, const truth_map *t);

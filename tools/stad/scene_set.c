@@ -136,6 +136,8 @@ void scene_set_free(scene_set *s)
         picture_free(&s->scene[i].right);
         truth_free(&s->scene[i].truth);
         disparity_free(&s->scene[i].disp);
+        disparity_free(&s->scene[i].best);
+        bad_bounds_free(&s->scene[i].bounds);
         engine_close(&s->scene[i].engine);
     }
     for (int i = 0; i < s->owned_count; i++)
@@ -154,8 +156,22 @@ int scene_find_truth(scored_scene *c, const stad_camera *camera, tool_fail *f)
     return truth_from_marks(&c->truth, &c->left, &c->right, &c->base, camera, names, f);
 }
 
-int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, measures *m,
-               tool_fail *f)
+/* `bad` needs no more than how many pixels are wrong or missing; the other costs take all counts. */
+static int count(scored_scene *c, stad_score *score, tool_fail *f)
+{
+    if (score->config.cost != STAD_SCORE_BAD) {
+        measure_feed(score, &c->disp, &c->truth);
+        return TOOL_OK;
+    }
+    int status = c->bounds.least ? TOOL_OK : bad_bounds_make(&c->bounds, &c->truth, &score->config, f);
+    if (status)
+        return status;
+    score->counts.visible = c->bounds.visible;
+    score->counts.wrong_visible = bad_bounds_count(&c->bounds, &c->disp);
+    return TOOL_OK;
+}
+
+int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, tool_fail *f)
 {
     stad_score score;
     stad_score_config config;
@@ -171,9 +187,15 @@ int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_
         return tool_fail_set(f, TOOL_USAGE,
                              "the scorer refuses min_disparity %d, num_disparities %d, threshold %g",
                              p->min_disparity, p->num_disparities, how->threshold);
-    measure_feed(&score, &c->disp, &c->truth);
-    *cost_q20 = stad_score_end(&score);
+    status = count(c, &score, f);
+    *cost_q20 = status ? STAD_COST_FAILED : stad_score_end(&score);
     engine_share_judge(&c->engine.share, *cost_q20);
-    measure_take(m, &score);
-    return TOOL_OK;
+    return status;
+}
+
+void scene_keep(scored_scene *c)
+{
+    disparity last = c->disp;
+    c->disp = c->best;
+    c->best = last;
 }

@@ -6,6 +6,7 @@
 #include "../common/engine.h"
 #include "../common/params_text.h"
 #include "../common/truth_file.h"
+#include "bad_bounds.h"
 #include "measure.h"
 #include "stad/target.h"
 
@@ -20,6 +21,8 @@ typedef struct scored_scene {
     stad_params base; /* what the search does not vary */
     engine engine;
     disparity disp; /* of the last run */
+    disparity best; /* kept by scene_keep() */
+    bad_bounds bounds; /* made when first used */
 } scored_scene;
 
 typedef struct scene_set {
@@ -50,7 +53,10 @@ void scene_set_free(scene_set *s);
 int scene_find_truth(scored_scene *c, const stad_camera *camera, tool_fail *f);
 
 /* Matches and scores one scene. TOOL_OK with the cost (Q20, STAD_COST_FAILED: parameters that the domain refuses, or no pixel that
- * can be scored); *m as measure_take(), untouched where the domain refuses. */
-int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, measures *m, tool_fail *f);
+ * can be scored). From call to call all may change but the scene, the range of disparities and `how`. */
+int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_t *cost_q20, tool_fail *f);
+
+/* Keeps the last run's disparity map in `best`; `disp` is then of no run. */
+void scene_keep(scored_scene *c);
 
 #endif

@@ -143,39 +143,61 @@ static int prepare(tune_job *j, tool_fail *f)
     return status;
 }
 
-/* The mean cost and measures over the scenes; a scene that cannot be matched so fails the point. */
-static int evaluate(tune_job *j, const stad_point *x, int32_t *cost_q20, tune_point *at, tool_fail *f)
+/* The mean cost over the scenes; a scene that cannot be matched so fails the point. */
+static int cost_at(tune_job *j, const stad_point *x, int32_t *cost_q20, tool_fail *f)
 {
-    const int count = j->set.count;
     int64_t sum = 0;
-    *at = (tune_point){.params = params_at(&j->set.scene[0].base, x)};
-    *cost_q20 = STAD_COST_FAILED;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < j->set.count; i++) {
         stad_params p = params_at(&j->set.scene[i].base, x);
         int32_t cost;
-        measures m = {0};
-        int status = scene_cost(&j->set.scene[i], &p, &j->how, &cost, &m, f);
-        if (status || cost == STAD_COST_FAILED)
+        int status = scene_cost(&j->set.scene[i], &p, &j->how, &cost, f);
+        if (status)
             return status;
+        if (cost == STAD_COST_FAILED) {
+            *cost_q20 = STAD_COST_FAILED;
+            return TOOL_OK;
+        }
         sum += cost;
-        at->bad += m.bad_at_threshold / count;
-        at->chow += m.chow / count;
-        at->rmse += m.rmse / count;
-        at->density += m.density / count;
     }
-    *cost_q20 = (int32_t)((sum + count / 2) / count);
-    at->cost = (double)*cost_q20 / STAD_COST_ONE;
+    *cost_q20 = (int32_t)((sum + j->set.count / 2) / j->set.count);
     return TOOL_OK;
 }
 
-/* The first point, which the search asks for again if it lies on its lattice. */
-static int evaluate_start(tune_job *j, const stad_point *x, int32_t *cost_q20, tool_fail *f)
+static void keep_all(tune_job *j)
 {
-    int status = evaluate(j, x, cost_q20, &j->first, f);
-    if (status == TOOL_OK && *cost_q20 == STAD_COST_FAILED)
-        return tool_fail_set(f, TOOL_USAGE,
-                             "no pixel of a scene can be scored: the truth lies left of column min + num disparities");
+    for (int i = 0; i < j->set.count; i++)
+        scene_keep(&j->set.scene[i]);
+}
+
+/* Every measure at the point whose maps are kept, means over the scenes. */
+static int describe(tune_job *j, const stad_point *x, int32_t cost_q20, tune_point *at, tool_fail *f)
+{
+    int status = TOOL_OK;
+    *at = (tune_point){.params = params_at(&j->set.scene[0].base, x), .cost = (double)cost_q20 / STAD_COST_ONE};
+    for (int i = 0; i < j->set.count && status == TOOL_OK; i++) {
+        const scored_scene *c = &j->set.scene[i];
+        measures m;
+        status = measure_at(&m, &c->best, &c->truth, c->base.num_disparities, j->how.threshold, f);
+        at->bad += m.bad_at_threshold / j->set.count;
+        at->chow += m.chow / j->set.count;
+        at->rmse += m.rmse / j->set.count;
+        at->density += m.density / j->set.count;
+    }
     return status;
+}
+
+/* The first point, which the search asks for again if it lies on its lattice. */
+static int take_start(tune_job *j, const stad_point *x, int32_t *cost_q20, tool_fail *f)
+{
+    int status = cost_at(j, x, cost_q20, f);
+    if (status == TOOL_OK && *cost_q20 == STAD_COST_FAILED)
+        status = tool_fail_set(
+            f, TOOL_USAGE,
+            "no pixel of a scene can be scored: the truth lies left of column min + num disparities");
+    if (status)
+        return status;
+    keep_all(j);
+    return describe(j, x, *cost_q20, &j->first, f);
 }
 
 static void show_progress(const tune_job *j)
@@ -187,25 +209,29 @@ static void show_progress(const tune_job *j)
                       tune_cost_name(j->how.cost), 100.0 * best / STAD_COST_ONE);
 }
 
-/* Asks, evaluates and tells until the search ends; the best is the earliest of equals. */
+/* Asks, evaluates and tells until the search ends. The best is the earliest of equals; its maps are kept. */
 static int run(tune_job *j, const stad_point *start, int32_t start_cost, tool_fail *f)
 {
     int32_t best = STAD_COST_FAILED;
-    stad_point x;
+    stad_point x, best_x = *start;
     while (stad_tune_ask(&j->tune, &x) == 1) {
+        const int known = memcmp(&x, start, sizeof x) == 0;
         int32_t cost = start_cost;
-        tune_point at = j->first;
-        int status = memcmp(&x, start, sizeof x) == 0 ? TOOL_OK : evaluate(j, &x, &cost, &at, f);
+        int status = known ? TOOL_OK : cost_at(j, &x, &cost, f);
         if (status)
             return status;
         stad_tune_tell(&j->tune, cost);
         if (cost < best) {
             best = cost;
-            j->best = at;
+            best_x = x;
+            if (!known)
+                keep_all(j);
         }
         show_progress(j);
     }
-    return best == STAD_COST_FAILED ? tool_fail_set(f, TOOL_USAGE, "no point could be scored") : TOOL_OK;
+    if (best == STAD_COST_FAILED)
+        return tool_fail_set(f, TOOL_USAGE, "no point could be scored");
+    return describe(j, &best_x, best, &j->best, f);
 }
 
 int tune_search(tune_job *j, tool_fail *f)
@@ -216,7 +242,7 @@ int tune_search(tune_job *j, tool_fail *f)
     if (status)
         return status;
     stad_point start = point_of(&j->set.scene[0].base);
-    status = evaluate_start(j, &start, &cost, f);
+    status = take_start(j, &start, &cost, f);
     if (status == TOOL_OK)
         status = run(j, &start, cost, f);
     j->seconds = tool_seconds() - begin;
