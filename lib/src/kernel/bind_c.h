@@ -46,6 +46,9 @@
 #ifndef stad_best_row_3way
 #    define stad_best_row_3way stad_best_row_3way_c
 #endif
+#ifndef stad_last_row
+#    define stad_last_row stad_last_row_c
+#endif
 #ifndef stad_refine_row
 #    define stad_refine_row stad_refine_row_c
 #endif

@@ -50,10 +50,10 @@ static inline int16_t runner_up(const int16_t *total, int32_t n, int32_t winner)
     return (int16_t)vec_least_signed(least);
 }
 
-static inline stad_best best_of(const int16_t *total, int32_t n, int three_way)
+/* least: that of `total`. */
+static inline stad_best best_of(const int16_t *total, int32_t n, int least, int three_way)
 {
     int ties;
-    const int least = least_total(total, n);
     const int32_t first = first_equal(total, n, least, &ties);
     stad_best best = {(int16_t)(three_way || least < STAD_COST_MAX ? first : -1), (int16_t)least, 0};
     if (three_way && ties)
@@ -66,11 +66,11 @@ static inline stad_best best_of(const int16_t *total, int32_t n, int three_way)
 void STAD_TIER(stad_best_row)(const int16_t *total, int32_t count, int32_t disparities, stad_best *best)
 {
     for (int32_t i = 0; i < count; i++, total += disparities)
-        best[i] = best_of(total, disparities, 0);
+        best[i] = best_of(total, disparities, least_total(total, disparities), 0);
 }
 
 void STAD_TIER(stad_best_row_3way)(const int16_t *total, int32_t count, int32_t disparities, stad_best *best)
 {
     for (int32_t i = 0; i < count; i++, total += disparities)
-        best[i] = best_of(total, disparities, 1);
+        best[i] = best_of(total, disparities, least_total(total, disparities), 1);
 }

@@ -133,6 +133,19 @@ void stad_best_row_3way_x86(const int16_t *total, int32_t count, int32_t dispari
     STAD_DISPATCH(tier_for(disparities), stad_best_row_3way, (total, count, disparities, best));
 }
 
+void stad_last_row_x86(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best)
+{
+    STAD_DISPATCH(tier_for(job->disparities), stad_last_row, (job, lane, three_way, best));
+}
+
+void stad_refine_row_x86(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine)
+{
+    if (stad_x86_tier() == TIER_C)
+        stad_refine_row_c(total, best, count, disparities, fine);
+    else
+        stad_refine_row_sse41(total, best, count, disparities, fine);
+}
+
 void stad_select_row_x86(stad_select_job *job)
 {
     if (stad_x86_tier() == TIER_C)

@@ -13,3 +13,4 @@
 #include "block_row_x86.h"
 #include "path_row_x86.h"
 #include "best_row_x86.h"
+#include "last_row_x86.h"

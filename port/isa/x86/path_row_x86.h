@@ -132,42 +132,6 @@ static inline __attribute__((always_inline)) void run_of(const stad_path_job *jo
     }
 }
 
-/* The horizontal lane alone, added to the sums, of a few vectors: its costs stay in registers from pixel to pixel. */
-static inline __attribute__((always_inline)) void run_across(const stad_path_job *job, stad_lane *lane, int vectors)
-{
-    const ptrdiff_t to_next = (ptrdiff_t)job->step * job->disparities;
-    const int16_t *block = job->block, *from = lane->cost + (ptrdiff_t)(1 - lane->write) * job->stride;
-    course c = {vec_set(job->p1), vec_set(job->p2), vec_set(lane->least[1 - lane->write]), job->disparities, job->stride};
-    const vec fence = vec_set(STAD_COST_MAX);
-    int16_t *total = job->total;
-    vec cost[8];
-#pragma GCC unroll 8
-    for (int v = 0; v < vectors; v++)
-        cost[v] = vec_load(from + v * VEC_LANES);
-    for (int32_t i = 0; i < job->count; i++, block += to_next, total += to_next) {
-        walker w = walk(&c, lane, 1);
-        reader r = {fence, cost[0], vec_join(fence, cost[0])};
-#pragma GCC unroll 8
-        for (int v = 0; v < vectors; v++) {
-            const int32_t d = v * VEC_LANES;
-            cost[v] = step_shifted(&c, &w, &r, d, vec_load(block + d), v + 1 < vectors ? cost[v + 1] : fence);
-            put_total(total, d, cost[v], TOTAL_ADD);
-        }
-        c.across_least = vec_spread_least(w.least);
-        *w.least_to = (int16_t)vec_least(w.least);
-    }
-}
-
-static inline void last_across(const stad_path_job *job, stad_lane *lane)
-{
-    if (job->disparities == 4 * VEC_LANES)
-        run_across(job, lane, 4);
-    else if (job->disparities == 8 * VEC_LANES)
-        run_across(job, lane, 8);
-    else
-        run_of(job, lane, 1, 1, TOTAL_ADD);
-}
-
 #define STAD_RUN_OF(count, across) \
     do { \
         if (!job->total) \
@@ -186,10 +150,7 @@ void STAD_TIER(stad_path_row)(const stad_path_job *job, stad_lane *lanes, int32_
         STAD_RUN_OF(1, 0);
         break;
     case 3:
-        if (job->total && !job->fresh)
-            last_across(job, lanes);
-        else
-            STAD_RUN_OF(1, 1);
+        STAD_RUN_OF(1, 1);
         break;
     case 4:
         STAD_RUN_OF(2, 0);

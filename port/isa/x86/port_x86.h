@@ -18,6 +18,8 @@ void stad_path_row_x86(const stad_path_job *job, stad_lane *lanes, int32_t lane_
 void stad_gather_row_x86(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_x86(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_x86(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_last_row_x86(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best);
+void stad_refine_row_x86(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine);
 void stad_select_row_x86(stad_select_job *job);
 void stad_median_row_x86(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
@@ -35,6 +37,8 @@ void stad_path_row_sse41(const stad_path_job *job, stad_lane *lanes, int32_t lan
 void stad_gather_row_sse41(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_sse41(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_sse41(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_last_row_sse41(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best);
+void stad_refine_row_sse41(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine); /* at every tier */
 void stad_median_row_sse41(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 void stad_select_row_sse41(stad_select_job *job); /* at every tier */
 
@@ -52,6 +56,7 @@ void stad_path_row_avx2(const stad_path_job *job, stad_lane *lanes, int32_t lane
 void stad_gather_row_avx2(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_avx2(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_avx2(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_last_row_avx2(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best);
 void stad_median_row_avx2(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
 /* -- 512-bit vectors -- */
@@ -68,6 +73,7 @@ void stad_path_row_avx512(const stad_path_job *job, stad_lane *lanes, int32_t la
 void stad_gather_row_avx512(int16_t *total, const stad_lane *lane, int32_t slot, const stad_path_job *job);
 void stad_best_row_avx512(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_avx512(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
+void stad_last_row_avx512(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best);
 void stad_median_row_avx512(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
 /* The widest tier in use: 0 C, 1 SSE4.1, 2 AVX2, 3 AVX-512 (F, BW). What the CPU has, lowered by the environment variable STAD_ISA (c, sse41,

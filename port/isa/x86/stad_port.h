@@ -15,6 +15,8 @@
 #define stad_gather_row       stad_gather_row_x86
 #define stad_best_row         stad_best_row_x86
 #define stad_best_row_3way    stad_best_row_3way_x86
+#define stad_last_row         stad_last_row_x86
+#define stad_refine_row       stad_refine_row_x86
 #define stad_select_row       stad_select_row_x86
 #define stad_median_row       stad_median_row_x86
 
