@@ -212,3 +212,42 @@ int case_best_3way(kernel_case *k)
 {
     return case_best_of(k, k->set->best_3way, stad_best_row_3way_c);
 }
+
+/* The last path's sums, then winners among them: totals close together, so that the least comes up more than once. */
+int case_last(kernel_case *k)
+{
+    chance *c = &k->chance;
+    stad_path_job job = path_job(k, 12000);
+    const int32_t cells = job.count * job.disparities, top = chance_draw(c) % 3 ? chance_between(c, 0, 3) : STAD_COST_MAX;
+    const int three_way = (int)(chance_draw(c) % 2);
+    int16_t *mine = room_i16(c, cells, 0, top), *reference = room_twin(mine);
+    stad_best *best = room_take(c, (size_t)job.count * sizeof *best, 2), *best_c = room_twin(best);
+    lane_group a, b;
+    job.fresh = 0;
+    job.step = -1;
+    take_lanes(c, &job, 0, 1, &a);
+    twin_lanes(&a, 1, &b);
+    note_lanes(k, 1, &a.lane[0], three_way);
+    const stad_path_job to_mine = aim(job, mine), to_reference = aim(job, reference);
+    const int path_left = chance_draw(c) % 4 != 0;
+    k->set->last(&to_mine, path_left ? a.lane : NULL, three_way, best);
+    if (path_left)
+        stad_path_row_c(&to_reference, b.lane, 1);
+    (three_way ? stad_best_row_3way_c : stad_best_row_c)(reference, job.count, job.disparities, best_c);
+    return memcmp(mine, reference, 2 * (size_t)cells) == 0 && same_lanes(&a, &b, &job, 1) &&
+           memcmp(best, best_c, (size_t)job.count * sizeof *best) == 0;
+}
+
+int case_refine(kernel_case *k)
+{
+    chance *c = &k->chance;
+    const int32_t n = k->size, count = chance_between(c, 1, 17), top = chance_draw(c) % 2 ? chance_between(c, 0, 40) : STAD_COST_MAX;
+    int16_t *total = room_i16(c, count * n, top == STAD_COST_MAX ? INT16_MIN : 0, top);
+    stad_best *best = room_take(c, (size_t)count * sizeof *best, 2);
+    int16_t *mine = room_i16(c, count, 0, 0), *reference = room_twin(mine);
+    snprintf(k->text, sizeof k->text, "count %d disparities %d totals to %d", count, n, top);
+    stad_best_row_c(total, count, n, best);
+    k->set->refine(total, best, count, n, mine);
+    stad_refine_row_c(total, best, count, n, reference);
+    return memcmp(mine, reference, 2 * (size_t)count) == 0;
+}

@@ -32,6 +32,8 @@ int case_gather(kernel_case *k);
 int case_best(kernel_case *k);
 int case_best_3way(kernel_case *k);
 int case_median(kernel_case *k);
+int case_last(kernel_case *k);
+int case_refine(kernel_case *k);
 int case_select(kernel_case *k);
 
 #endif

@@ -17,6 +17,8 @@ typedef void path_kernel(const stad_path_job *, stad_lane *, int32_t);
 typedef void path_u8_kernel(const stad_path_job *, stad_lane_u8 *, int32_t);
 typedef void gather_kernel(int16_t *, const stad_lane *, int32_t, const stad_path_job *);
 typedef void best_kernel(const int16_t *, int32_t, int32_t, stad_best *);
+typedef void last_kernel(const stad_path_job *, stad_lane *, int, stad_best *);
+typedef void refine_kernel(const int16_t *, const stad_best *, int32_t, int32_t, int16_t *);
 typedef void select_kernel(stad_select_job *);
 typedef void median_kernel(const int16_t *, const int16_t *, const int16_t *, int32_t, int16_t *);
 
@@ -36,15 +38,18 @@ typedef struct kernel_set {
     gather_kernel *gather;
     best_kernel *best, *best_3way;
     median_kernel *median;
+    last_kernel *last;
+    refine_kernel *refine;
     select_kernel *select;
 } kernel_set;
 
 /* A table whose every kernel has this suffix; path_sat and path_u8 are named, since few tiers have their own. The bound set alone has
- * a select of its own: no x86 tier but the narrowest has one. */
+ * refine and select of its own: no x86 tier but the narrowest has them. */
 #define KERNEL_SET(name, lanes, suffix, path_sat, path_u8) \
     {name, lanes, stad_prefilter_row##suffix, stad_range_row##suffix, stad_cost_row_u8##suffix, stad_cost_row_u16##suffix, \
      stad_box_add_row_u8##suffix, stad_box_add_row_u16##suffix, stad_block_row##suffix, \
      stad_slide_row##suffix, stad_path_row##suffix, path_sat, path_u8, \
-     stad_gather_row##suffix, stad_best_row##suffix, stad_best_row_3way##suffix, stad_median_row##suffix, stad_select_row_c}
+     stad_gather_row##suffix, stad_best_row##suffix, stad_best_row_3way##suffix, stad_median_row##suffix, \
+     stad_last_row##suffix, stad_refine_row_c, stad_select_row_c}
 
 #endif

@@ -19,7 +19,8 @@ static const kernel_set plain = KERNEL_SET("c", 8, _c, stad_path_row_sat_c, stad
 static const kernel_set sets[] = {
     {"bound", 8, stad_prefilter_row, stad_range_row, stad_cost_row_u8, stad_cost_row_u16, stad_box_add_row_u8,
      stad_box_add_row_u16, stad_block_row, stad_slide_row, stad_path_row, stad_path_row_sat,
-     stad_path_row_u8, stad_gather_row, stad_best_row, stad_best_row_3way, stad_median_row, stad_select_row},
+     stad_path_row_u8, stad_gather_row, stad_best_row, stad_best_row_3way, stad_median_row,
+     stad_last_row, stad_refine_row, stad_select_row},
 #ifdef STAD_PORT_X86_H
     KERNEL_SET("sse41", 8, _sse41, stad_path_row_sat_c, stad_path_row_u8_c),
     KERNEL_SET("avx2", 16, _avx2, stad_path_row_sat_c, stad_path_row_u8_c),
@@ -142,6 +143,8 @@ DISPARITY_TEST(path_u8, plain.path_u8)
 DISPARITY_TEST(gather, plain.gather)
 DISPARITY_TEST(best, plain.best)
 DISPARITY_TEST(best_3way, plain.best_3way)
+DISPARITY_TEST(last, plain.last)
+DISPARITY_TEST(refine, plain.refine)
 
 static void run_all(void)
 {
@@ -157,6 +160,7 @@ static void run_all(void)
     RUN_TEST(test_kernel_gather_equals_c);
     RUN_TEST(test_kernel_best_equals_c);
     RUN_TEST(test_kernel_best_3way_equals_c);
+    RUN_TEST(test_kernel_last_equals_c);
     RUN_TEST(test_kernel_median_equals_c);
 }
 
@@ -165,6 +169,7 @@ static void run_bound(void)
 {
     RUN_TEST(test_kernel_path_sat_equals_c);
     RUN_TEST(test_kernel_path_u8_equals_c);
+    RUN_TEST(test_kernel_refine_equals_c);
     RUN_TEST(test_kernel_select_equals_c);
 }
 

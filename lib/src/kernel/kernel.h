@@ -108,9 +108,9 @@ typedef struct stad_best {
 void stad_best_row_c(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_c(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 
-/* -- last: the last path of a run and its winners -------------------------------------------------------------------------
- * stad_path_row of the one lane, adding to S, then stad_best_row of the run, or its 3WAY form; best[0] is that of the run's
- * leftmost pixel, whichever way the path goes. A port that does both at once need not look at S again. */
+/* -- last: the winners of a run, after its last path ------------------------------------------------------------------------
+ * stad_path_row of the one lane, adding to S (lane NULL: no path is left), then stad_best_row of the run, or its 3WAY form.
+ * The path goes left, step -1, and best[0] is the leftmost pixel's. A port that does both at once need not look at S again. */
 void stad_last_row_c(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best);
 
 /* -- refine: winners to sub-pixel places (SPEC 8) ------------------------------------------------------------------------

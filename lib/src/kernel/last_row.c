@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT
  * path -> [LAST] -> refine
- * kernel/last_row.c - the last path of a run and its winners, by the two kernels that are bound. */
+ * kernel/last_row.c - the last path of a run, and its winners, by the two kernels that are bound. */
 #include "kernel/kernel.h"
 #include "base/arith.h"
 
 void stad_last_row_c(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best)
 {
-    STAD_ASSERT(job->total && !job->fresh);
-    const int16_t *total = job->step > 0 ? job->total : job->total - (ptrdiff_t)(job->count - 1) * job->disparities;
-    stad_path_row(job, lane, 1);
+    STAD_ASSERT(job->total && job->step == -1);
+    const int16_t *total = job->total - (ptrdiff_t)(job->count - 1) * job->disparities;
+    if (lane)
+        stad_path_row(job, lane, 1);
     if (three_way)
         stad_best_row_3way(total, job->count, job->disparities, best);
     else

@@ -133,10 +133,8 @@ void stad_sweep_back(stad_frame *f, const row_sweep *s);       /* right to left,
 /* -- row.c: winners of a row ---------------------------------------------------------------------------------------------- */
 void stad_row_fill(int16_t *to, int32_t n, int16_t value);
 void stad_row_open(stad_frame *f);
-/* A run's winners, with or without its last path; then what becomes of them. Runs go from right to left. */
-void stad_row_last(stad_frame *f, const stad_path_job *job, int32_t x);
-void stad_row_find(stad_frame *f, const int16_t *total, int32_t x, int32_t count);
-void stad_row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count);
+/* The winners of a run, whose sums begin at total; last: the lane of its last path, or NULL. Runs go from right to left. */
+void stad_row_take(stad_frame *f, const stad_path_job *job, stad_lane *last, const int16_t *total, int32_t x);
 void stad_row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count);
 void stad_row_close(stad_frame *f);
 

@@ -23,26 +23,13 @@ void stad_row_open(stad_frame *f)
         stad_winners_open(f);
 }
 
-void stad_row_last(stad_frame *f, const stad_path_job *job, int32_t x)
+void stad_row_take(stad_frame *f, const stad_path_job *job, stad_lane *last, const int16_t *total, int32_t x)
 {
-    stad_last_row(job, &f->across, f->g.mode == STAD_MODE_3WAY, f->best + (f->recording ? x : 0));
-}
-
-void stad_row_find(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
-{
-    stad_best *best = f->best + (f->recording ? x : 0);
-    if (f->g.mode == STAD_MODE_3WAY)
-        stad_best_row_3way(total, count, f->p.num_disparities, best);
-    else
-        stad_best_row(total, count, f->p.num_disparities, best);
-}
-
-void stad_row_take(stad_frame *f, const int16_t *total, int32_t x, int32_t count)
-{
-    STAD_ASSERT(x >= 0 && count > 0 && x + count <= f->columns);
+    STAD_ASSERT(x >= 0 && job->count > 0 && x + job->count <= f->columns);
     const int32_t at = f->recording ? x : 0;
-    stad_refine_row(total, f->best + at, count, f->p.num_disparities, f->fine + at);
-    stad_row_select(f, f->best + at, f->fine + at, x, count);
+    stad_last_row(job, last, f->g.mode == STAD_MODE_3WAY, f->best + at);
+    stad_refine_row(total, f->best + at, job->count, job->disparities, f->fine + at);
+    stad_row_select(f, f->best + at, f->fine + at, x, job->count);
 }
 
 void stad_row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count)

@@ -98,8 +98,7 @@ void stad_sweep_back(stad_frame *f, const row_sweep *s)
         int16_t *total = s->total + (ptrdiff_t)x * f->p.num_disparities;
         const stad_path_job job = path_job(f, block_of(f, s, x, count), total, count, -1);
         take_run(f, &job, s->fresh, &p);
-        stad_row_find(f, total, x, count);
-        stad_row_take(f, total, x, count);
+        stad_row_take(f, &job, NULL, total, x);
     }
     if (s->set)
         s->set->rows++;
@@ -185,15 +184,11 @@ static void sweep_back_streamed(stad_frame *f, const stad_lane *lanes, int32_t l
         const stad_path_job job = path_job(f, stad_window_block(f, x, count), total, count, -1);
         if (!f->total_row)
             rebuild_run(f, lanes, lane_count, &job, x);
-        if (f->safe) {
-            stad_row_last(f, &job, x);
-        } else {
+        if (!f->safe)
             stad_path_row_sat(&job, &f->across, 1);
-            for (int32_t i = 0; i < lane_count && vertical_is_last(f); i++)
-                stad_gather_row(total, &lanes[i], (lanes[i].write + x) % lanes[i].slots, &job);
-            stad_row_find(f, total, x, count);
-        }
-        stad_row_take(f, total, x, count);
+        for (int32_t i = 0; i < lane_count && vertical_is_last(f); i++)
+            stad_gather_row(total, &lanes[i], (lanes[i].write + x) % lanes[i].slots, &job);
+        stad_row_take(f, &job, f->safe ? &f->across : NULL, total, x);
     }
 }
 

@@ -28,7 +28,6 @@ static inline __attribute__((always_inline)) int last_pixel(course *c, const int
 static inline __attribute__((always_inline)) void last_run(const stad_path_job *job, stad_lane *lane, int vectors,
                                                            int three_way, stad_best *best)
 {
-    const ptrdiff_t to_next = (ptrdiff_t)job->step * job->disparities;
     const int16_t *block = job->block, *from = lane->cost + (ptrdiff_t)(1 - lane->write) * job->stride;
     course c = {vec_set(job->p1), vec_set(job->p2), vec_set(lane->least[1 - lane->write]), job->disparities, job->stride};
     int16_t *total = job->total;
@@ -36,7 +35,7 @@ static inline __attribute__((always_inline)) void last_run(const stad_path_job *
 #pragma GCC unroll 8
     for (int v = 0; v < vectors; v++)
         cost[v] = vec_load(from + v * VEC_LANES);
-    for (int32_t i = 0; i < job->count; i++, block += to_next, total += to_next, best += job->step) {
+    for (int32_t i = 0; i < job->count; i++, block -= job->disparities, total -= job->disparities, best--) {
         const int least = last_pixel(&c, block, total, lane, cost, vectors);
         *best = best_of(total, vectors * VEC_LANES, least, three_way);
     }
@@ -45,8 +44,8 @@ static inline __attribute__((always_inline)) void last_run(const stad_path_job *
 static inline __attribute__((always_inline)) void last_row(const stad_path_job *job, stad_lane *lane, int three_way,
                                                            stad_best *best)
 {
-    stad_best *first = job->step > 0 ? best : best + job->count - 1;
-    switch (lane->slots == 2 ? job->disparities / VEC_LANES : 0) {
+    stad_best *first = best + job->count - 1;
+    switch (lane && lane->slots == 2 ? job->disparities / VEC_LANES : 0) {
     case 2:
         last_run(job, lane, 2, three_way, first);
         break;
