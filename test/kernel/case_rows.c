@@ -243,3 +243,22 @@ int case_select(kernel_case *k)
         same = same && memcmp(row[0][i], row[1][i], 2 * (size_t)width) == 0;
     return same && (!sure[0] || memcmp(sure[0], sure[1], (size_t)width) == 0);
 }
+
+/* Votes near the disparities, so that either, both or none agree; disparities that lead outside the row. */
+int case_check(kernel_case *k)
+{
+    chance *c = &k->chance;
+    const int32_t width = k->size, low = chance_draw(c) % 2 ? chance_between(c, -30, 30) : chance_between(c, -2047, 2007);
+    const int32_t most = chance_draw(c) % 8 ? chance_between(c, 1, 3) : chance_between(c, 1, 32767), range = chance_between(c, 1, 40);
+    const int32_t x0 = chance_between(c, 0, width), none = (low - 1) * 16;
+    int16_t *votes = room_i16(c, width, low, low + range), *mine = room_i16(c, width, 16 * low, 16 * (low + range));
+    for (int32_t x = 0; x < width; x++) {
+        votes[x] = (int16_t)(chance_draw(c) % 6 ? votes[x] : none);
+        mine[x] = (int16_t)(chance_draw(c) % 6 ? mine[x] : none);
+    }
+    int16_t *reference = room_twin(mine);
+    stad_check_job job = {mine, votes, x0, chance_between(c, x0, width), width, low, most}, job_c = job;
+    job_c.disp = reference;
+    snprintf(k->text, sizeof k->text, "x %d..%d width %d min %d most %d", job.x0, job.x1, width, low, most);
+    return k->set->check(&job) == stad_check_row_c(&job_c) && memcmp(mine, reference, 2 * (size_t)width) == 0;
+}

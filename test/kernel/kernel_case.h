@@ -35,5 +35,6 @@ int case_median(kernel_case *k);
 int case_last(kernel_case *k);
 int case_refine(kernel_case *k);
 int case_select(kernel_case *k);
+int case_check(kernel_case *k);
 
 #endif

@@ -20,6 +20,7 @@ typedef void best_kernel(const int16_t *, int32_t, int32_t, stad_best *);
 typedef void last_kernel(const stad_path_job *, stad_lane *, int, stad_best *);
 typedef void refine_kernel(const int16_t *, const stad_best *, int32_t, int32_t, int16_t *);
 typedef void select_kernel(stad_select_job *);
+typedef int32_t check_kernel(const stad_check_job *);
 typedef void median_kernel(const int16_t *, const int16_t *, const int16_t *, int32_t, int16_t *);
 
 typedef struct kernel_set {
@@ -41,15 +42,16 @@ typedef struct kernel_set {
     last_kernel *last;
     refine_kernel *refine;
     select_kernel *select;
+    check_kernel *check;
 } kernel_set;
 
 /* A table whose every kernel has this suffix; path_sat and path_u8 are named, since few tiers have their own. The bound set alone has
- * refine and select of its own: no x86 tier but the narrowest has them. */
+ * refine, select and check of its own: no x86 tier but the narrowest has them. */
 #define KERNEL_SET(name, lanes, suffix, path_sat, path_u8) \
     {name, lanes, stad_prefilter_row##suffix, stad_range_row##suffix, stad_cost_row_u8##suffix, stad_cost_row_u16##suffix, \
      stad_box_add_row_u8##suffix, stad_box_add_row_u16##suffix, stad_block_row##suffix, \
      stad_slide_row##suffix, stad_path_row##suffix, path_sat, path_u8, \
      stad_gather_row##suffix, stad_best_row##suffix, stad_best_row_3way##suffix, stad_median_row##suffix, \
-     stad_last_row##suffix, stad_refine_row_c, stad_select_row_c}
+     stad_last_row##suffix, stad_refine_row_c, stad_select_row_c, stad_check_row_c}
 
 #endif

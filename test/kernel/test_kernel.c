@@ -20,7 +20,7 @@ static const kernel_set sets[] = {
     {"bound", 8, stad_prefilter_row, stad_range_row, stad_cost_row_u8, stad_cost_row_u16, stad_box_add_row_u8,
      stad_box_add_row_u16, stad_block_row, stad_slide_row, stad_path_row, stad_path_row_sat,
      stad_path_row_u8, stad_gather_row, stad_best_row, stad_best_row_3way, stad_median_row,
-     stad_last_row, stad_refine_row, stad_select_row},
+     stad_last_row, stad_refine_row, stad_select_row, stad_check_row},
 #ifdef STAD_PORT_X86_H
     KERNEL_SET("sse41", 8, _sse41, stad_path_row_sat_c, stad_path_row_u8_c),
     KERNEL_SET("avx2", 16, _avx2, stad_path_row_sat_c, stad_path_row_u8_c),
@@ -134,6 +134,7 @@ ROW_TEST(box_add_u16, plain.box_add_u16)
 DISPARITY_TEST(block, plain.block)
 ROW_TEST(median, plain.median)
 ROW_TEST(select, plain.select)
+ROW_TEST(check, plain.check)
 COST_TEST(cost_u8, plain.cost_u8)
 COST_TEST(cost_u16, plain.cost_u16)
 DISPARITY_TEST(slide, plain.slide)
@@ -171,6 +172,7 @@ static void run_bound(void)
     RUN_TEST(test_kernel_path_u8_equals_c);
     RUN_TEST(test_kernel_refine_equals_c);
     RUN_TEST(test_kernel_select_equals_c);
+    RUN_TEST(test_kernel_check_equals_c);
 }
 
 /* The tier in use, and the one that the environment asks for (the same one where it asks for none). */

@@ -154,6 +154,11 @@ void stad_select_row_x86(stad_select_job *job)
         stad_select_row_sse41(job);
 }
 
+int32_t stad_check_row_x86(const stad_check_job *job)
+{
+    return stad_x86_tier() == TIER_C ? stad_check_row_c(job) : stad_check_row_sse41(job);
+}
+
 void stad_median_row_x86(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out)
 {
     STAD_DISPATCH(stad_x86_tier(), stad_median_row, (above, row, below, width, out));

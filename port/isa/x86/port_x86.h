@@ -21,6 +21,7 @@ void stad_best_row_3way_x86(const int16_t *total, int32_t count, int32_t dispari
 void stad_last_row_x86(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best);
 void stad_refine_row_x86(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine);
 void stad_select_row_x86(stad_select_job *job);
+int32_t stad_check_row_x86(const stad_check_job *job);
 void stad_median_row_x86(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 
 /* -- 128-bit vectors -- */
@@ -41,6 +42,7 @@ void stad_last_row_sse41(const stad_path_job *job, stad_lane *lane, int three_wa
 void stad_refine_row_sse41(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine); /* at every tier */
 void stad_median_row_sse41(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
 void stad_select_row_sse41(stad_select_job *job); /* at every tier */
+int32_t stad_check_row_sse41(const stad_check_job *job); /* at every tier */
 
 /* -- 256-bit vectors -- */
 void stad_prefilter_row_avx2(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,

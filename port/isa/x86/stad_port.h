@@ -18,6 +18,7 @@
 #define stad_last_row         stad_last_row_x86
 #define stad_refine_row       stad_refine_row_x86
 #define stad_select_row       stad_select_row_x86
+#define stad_check_row        stad_check_row_x86
 #define stad_median_row       stad_median_row_x86
 
 #include "port_x86.h"
