@@ -38,11 +38,13 @@ static void prove_with(int32_t considered)
     m.learn_sq = any64(0, 1000ll << 32);
     m.frames = any(0, 1000);
     m.cooldown = any(0, 32767);
+    m.remind = any(0, 1);
     m.since_look = any(0, INT32_MAX);
     stad_monitor_frame(&m, &counts);
     //@ assert 0 <= m.sum_q8 <= 32767 && 1 <= m.sigma_q16 && 0 <= m.share_q16 <= 65536;
     stad_monitor_look_due(&m);
     stad_monitor_looked(&m);
+    stad_monitor_remind(&m, any(INT32_MIN, INT32_MAX));
     stad_monitor_restart(&m);
 }
 

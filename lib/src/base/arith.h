@@ -80,9 +80,15 @@ static inline int16_t sat_i16(int32_t v)
     return (int16_t)clamp_i32(v, INT16_MIN, INT16_MAX);
 }
 
+static inline int32_t clamp_i64(int64_t v, int32_t low, int32_t high)
+{
+    STAD_ASSERT(low <= high);
+    return v < low ? low : v > high ? high : (int32_t)v;
+}
+
 static inline int32_t sat_i32(int64_t v)
 {
-    return v < INT32_MIN ? INT32_MIN : v > INT32_MAX ? INT32_MAX : (int32_t)v;
+    return clamp_i64(v, INT32_MIN, INT32_MAX);
 }
 
 /* The low 16 bits read as two's complement, with no implementation-defined conversion. */

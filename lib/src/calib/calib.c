@@ -74,6 +74,7 @@ void stad_calib_enter(stad_calib *c, int phase)
     c->report.phase = (uint8_t)phase;
     c->step = 0;
     c->vain = 0;
+    c->trial_frames = 0;
 }
 
 void stad_calib_finish(stad_calib *c, int outcome)
@@ -183,7 +184,6 @@ int stad_calib_saved(stad_calib *c, int status)
     else if (change_outcome(c) == STAD_CALIB_CORRECTED || c->config.probation_frames == 0)
         stad_calib_finish(c, change_outcome(c));
     else {
-        c->trial_frames = 0;
         c->alarmed_on_trial = 0;
         stad_calib_enter(c, STAD_CALIB_PROBATION);
     }

@@ -37,7 +37,7 @@ static int edge_offset_q8(const mark_work *w, stad_corner p, int32_t nx_q14, int
     if (weight < 16 * 16 * 16)
         return 0;
     const int32_t most = 128 * (MARK_MAX_REACH + 2); /* a mean of t_q8 - 128: nothing is cut */
-    *offset = clamp_i32(sat_i32(sum / weight), -most, most);
+    *offset = clamp_i64(sum / weight, -most, most);
     return 1;
 }
 

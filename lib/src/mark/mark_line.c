@@ -25,7 +25,7 @@ void stad_mark_moments_add(mark_moments *m, int32_t x_q8, int32_t y_q8)
 /* The root rounds down to no less than either side, so nothing is cut here; it says so to the analysis. */
 static int32_t unit_q14(int64_t side, int64_t length)
 {
-    return clamp_i32(sat_i32(side * 16384 / length), -16384, 16384);
+    return clamp_i64(side * 16384 / length, -16384, 16384);
 }
 
 int32_t stad_mark_unit_q14(int64_t x, int64_t y, int32_t *ux_q14, int32_t *uy_q14)

@@ -21,7 +21,7 @@ int stad_polygon_cut(const stad_polygon *p, int32_t y, int32_t *low_q8, int32_t 
         int32_t left = min_i32(a.x_q8, b.x_q8), right = max_i32(a.x_q8, b.x_q8);
         if (a.y_q8 != b.y_q8) { /* between both, so nothing is cut; it says so to the analysis */
             const int64_t along = (int64_t)(b.x_q8 - a.x_q8) * (y_q8 - a.y_q8) / (b.y_q8 - a.y_q8);
-            left = right = clamp_i32(sat_i32(a.x_q8 + along), left, right);
+            left = right = clamp_i64(a.x_q8 + along, left, right);
         }
         *low_q8 = min_i32(*low_q8, left);
         *high_q8 = max_i32(*high_q8, right);

@@ -72,7 +72,7 @@ static int set_up_vector(sheet_pose *pose)
     if (scale_q20 == 0)
         return 0;
     for (int k = 0; k < 3; k++)
-        pose->up[k] = clamp_i32(sat_i32(-cross_q32[k] * 4096 / scale_q20), -MAX_UP_Q24, MAX_UP_Q24);
+        pose->up[k] = clamp_i64(-cross_q32[k] * 4096 / scale_q20, -MAX_UP_Q24, MAX_UP_Q24);
     return 1;
 }
 
