@@ -57,6 +57,7 @@ int story_board_reset(story_board *b)
     if (slot < 0)
         return slot;
     stad_calib_config_default(&config, &b->geometry, stad_target_relief(), &fixed);
+    config.patience = 12; /* frames of a failing camera that are enough for a story */
     int status = stad_calib_init(&b->calib, &config, &setup);
     return status < 0 ? status : slot;
 }
