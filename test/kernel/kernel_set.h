@@ -3,7 +3,7 @@
 #ifndef TEST_KERNEL_SET_H
 #define TEST_KERNEL_SET_H
 
-#include "kernel/kernel.h"
+#include "kernel/last_row.h"
 
 typedef void prefilter_kernel(const uint8_t *, const uint8_t *, const uint8_t *, int32_t, int32_t, int32_t, uint8_t *);
 typedef void range_kernel(const uint8_t *, int32_t, int, uint8_t *);

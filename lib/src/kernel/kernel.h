@@ -110,8 +110,8 @@ void stad_best_row_3way_c(const int16_t *total, int32_t count, int32_t dispariti
 
 /* -- last: the winners of a run, after its last path ------------------------------------------------------------------------
  * stad_path_row of the one lane, adding to S (lane NULL: no path is left), then stad_best_row of the run, or its 3WAY form.
- * The path goes left, step -1, and best[0] is the leftmost pixel's. A port that does both at once need not look at S again. */
-void stad_last_row_c(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best);
+ * The path goes left, step -1, and best[0] is the leftmost pixel's. A port that does both at once need not look at S again.
+ * void stad_last_row(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best); the C form: kernel/last_row.h */
 
 /* -- refine: winners to sub-pixel places (SPEC 8) ------------------------------------------------------------------------
  * fine[i]: 16 times the place of pixel i's winner, by the parabola through S at index - 1, index, index + 1; 16 * index at

@@ -3,6 +3,7 @@
  * match/row.c - one raw row: opened, filled run by run from right to left, checked, closed. */
 #include <string.h>
 
+#include "kernel/last_row.h"
 #include "match/frame.h"
 #include "base/arith.h"
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "kernel/kernel.h"
+#include "kernel/last_row.h"
 
 enum tier { TIER_C, TIER_SSE41, TIER_AVX2, TIER_AVX512, TIER_COUNT };
 

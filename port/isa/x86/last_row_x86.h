@@ -4,6 +4,8 @@
  * The path waits for itself at every pixel, and the winner of the pixel before is found meanwhile. Where a column is a few vectors,
  * whose number the compiler knows, the path's costs stay in registers. */
 
+#include "kernel/last_row.h"
+
 /* One pixel; returns the least S. */
 static inline __attribute__((always_inline)) int last_pixel(course *c, const int16_t *block, int16_t *total, stad_lane *lane,
                                                             vec *cost, int vectors)

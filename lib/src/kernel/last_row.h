@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * path -> [LAST] -> refine
- * kernel/last_row.c - the last path of a run, and its winners, by the two kernels that are bound. */
-#include "kernel/kernel.h"
-#include "base/arith.h"
+ * kernel/last_row.h - the last path of a run, and its winners, by the two kernels that are bound. Inline: it is called once. */
+#ifndef STAD_KERNEL_LAST_ROW_H
+#define STAD_KERNEL_LAST_ROW_H
 
-void stad_last_row_c(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best)
+#include "kernel/kernel.h"
+
+static inline void stad_last_row_c(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best)
 {
-    STAD_ASSERT(job->total && job->step == -1);
     const int16_t *total = job->total - (ptrdiff_t)(job->count - 1) * job->disparities;
     if (lane)
         stad_path_row(job, lane, 1);
@@ -15,3 +16,5 @@ void stad_last_row_c(const stad_path_job *job, stad_lane *lane, int three_way, s
     else
         stad_best_row(total, job->count, job->disparities, best);
 }
+
+#endif
