@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * proof/prove_costs.c - pixel costs, saturating block costs and paths of any cost: in bounds, no overflow.
- * SOURCES: kernel/box_sat_row.c kernel/path_row_sat.c kernel/cost_row.c */
+ * proof/prove_costs.c - pixel costs, saturating block costs and paths of any cost, sub-pixel places: in bounds, no overflow.
+ * SOURCES: kernel/box_sat_row.c kernel/path_row_sat.c kernel/cost_row.c kernel/refine_row.c */
 #include "kernel/kernel.h"
 #include "proof/prove.h"
 
@@ -41,10 +41,22 @@ static void prove_paths(void)
     stad_path_row_sat_c(&job, &lane, 1);
 }
 
+/* Sums up to 4000: that the winner's is the least of three, so that a place is within half a pixel, ranges cannot tell. */
+static void prove_places(void)
+{
+    stad_best best[COLUMNS];
+    int16_t fine[COLUMNS];
+    for (int i = 0; i < COLUMNS; i++)
+        best[i].index = (int16_t)any(-1, D - 1);
+    any_i16(total, COLUMNS * D, 0, 4000);
+    stad_refine_row_c(total, best, any(0, COLUMNS), D, fine);
+}
+
 int main(void)
 {
     prove_pixel_costs();
     prove_block_costs();
     prove_paths();
+    prove_places();
     return 0;
 }
