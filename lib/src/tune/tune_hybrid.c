@@ -15,8 +15,10 @@ static void random_point(const stad_tune *t, uint32_t *state, stad_point *x)
     }
     stad_tune_to_vars(&t->config, &lo, &from);
     stad_tune_to_vars(&t->config, &hi, &to);
-    for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        v.v[i] = stad_tune_between(state, from.v[i], to.v[i]);
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) { /* an area of the largest block may end below where that of the smallest begins */
+        const int rising = from.v[i] <= to.v[i];
+        v.v[i] = stad_tune_between(state, rising ? from.v[i] : to.v[i], rising ? to.v[i] : from.v[i]);
+    }
     stad_tune_to_point(t, &v, x);
 }
 
