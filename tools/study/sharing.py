@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What keeping winners saves: a search of `stad tune` with --share 8 against --share 0 and against as many plain matches.
+"""What keeping winners saves: a search of `stad tune` with --share 3 against --share 0 and against as many plain matches.
 
     STAD_DATA=... tools/study/sharing.py [--stad build/stad] [--cost bad] [--disparities 64] [--evals 60] [--rounds 5] [SCENE ...]
     STAD_DATA=... tools/study/sharing.py --matches [--cost bad]
@@ -8,7 +8,7 @@
 Both searches must ask for the same points. Processor seconds of the whole process, pictures read and all, the least of the rounds,
 the two in turn; `alone`: of the evaluations alone, what a search of one point takes left out; `matches`: `stad bench` at the scene's
 size, times the evaluations. `served`: points that differ from one of
-the last eight in uniqueness_ratio and disp12_max_diff alone.
+those kept, the best two and the last, in uniqueness_ratio and disp12_max_diff alone.
 
 --matches: what settling costs. ncg with and without, 150 evaluations on every scene at its own size: medians of the evaluations, and
 of the matches that these need, until within 2 % of the better of the two; mean distance to it after 60 evaluations, 40 matches
@@ -28,6 +28,7 @@ from scenes import Scene, sample, split
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.environ.get("STAD_DATA", "")
+KEPT = 3  # what `stad tune` keeps when it is not told
 SCENES = ["middlebury2014/Motorcycle"] + [f"middlebury{s}" for s in (
     "2001/venus 2003/cones 2005/Dolls 2005/Laundry 2005/Moebius 2006/Aloe 2006/Bowling1 2006/Bowling2 2006/Cloth1 2006/Cloth2 "
     "2006/Lampshade1 2006/Monopoly 2006/Plastic 2006/Rocks2 2006/Wood1 2006/Wood2").split()]
@@ -43,11 +44,13 @@ def run(command):
 
 def matched(points):
     """For each point whether it needs a match of its own."""
-    kept, out = [], []
-    for (p1, p2, block, _, cap, _), _ in points:
+    kept, out = {}, []  # the least cost of each; the worst gives way
+    for (p1, p2, block, _, cap, _), cost in points:
         sums = (p1, p2, block, cap)
         out.append(sums not in kept)
-        kept = ([k for k in kept if k != sums] + [sums])[-8:]
+        if out[-1] and len(kept) == KEPT:
+            del kept[max(kept, key=kept.get)]
+        kept[sums] = min(cost, kept.get(sums, cost))
     return out
 
 
@@ -90,17 +93,17 @@ def measure(args, place, json_path):
     meta = {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json")))}[place]
     bench = [args.stad, "bench", "--mode", "sgbm", "--width", str(meta["W"]), "--height", str(meta["H"]), "--num-disparities", str(args.disparities),
              "--frames", "15"]
-    times, traces, frames, single = {0: [], 8: []}, {}, [], []
+    times, traces, frames, single = {0: [], KEPT: []}, {}, [], []
     for _ in range(args.rounds):
         single.append(run(command + ["--max-evals", "1"])[1])
         for share in times:
             times[share].append(run(command + ["--max-evals", str(args.evals), "--share", str(share)])[1])
             traces[share] = json.load(open(json_path))["trace"]
         frames.append(float(run(bench)[0].split(" ms")[0].split()[-1]) / 1000)
-    assert traces[0] == traces[8], "sharing changed the search"
-    without, shared, plain = min(times[0]), min(times[8]), min(frames) * len(traces[0])
+    assert traces[0] == traces[KEPT], "sharing changed the search"
+    without, shared, plain = min(times[0]), min(times[KEPT]), min(frames) * len(traces[0])
     alone = (shared - min(single)) * len(traces[0]) / (len(traces[0]) - 1)
-    print(f"| {place.split('/')[-1]} {meta['W']} x {meta['H']} | {len(traces[0])} | {served(args.cost, traces[8])} | {plain:.2f} | {without:.2f} | {shared:.2f} | {alone:.2f} | "
+    print(f"| {place.split('/')[-1]} {meta['W']} x {meta['H']} | {len(traces[0])} | {served(args.cost, traces[KEPT])} | {plain:.2f} | {without:.2f} | {shared:.2f} | {alone:.2f} | "
           f"{shared / without:.2f} | {shared / plain:.2f} | {alone / plain:.2f} |", flush=True)
     return shared / without, shared / plain, alone / plain
 
