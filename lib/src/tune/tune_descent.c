@@ -3,8 +3,8 @@
  *
  * From the best of the start and its ladder: sweep the axes, each giving slope and curvature and moving at once; take one
  * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
- * 0.4 percent; at the least, leap. When it has converged, descend from the best rung of another block, as long as that may
- * come to more. Axes whose probes are cheap are swept first, and settled wherever the others lead. */
+ * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best rung of another
+ * block. Axes whose probes are cheap are swept first, and settled wherever the others lead. */
 #include "tune/tune_descent.h"
 #include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
@@ -40,11 +40,13 @@ static int probe_cheap(stad_tune *t, tune_walk *w)
 static int settle(stad_tune *t, tune_walk *w)
 {
     const int32_t step = w->step;
-    int known = probe_cheap(t, w);
+    if (!probe_cheap(t, w))
+        return 0;
     w->step = REACH_LEAST;
-    known = known && probe_cheap(t, w);
+    if (!probe_cheap(t, w))
+        return 0;
     w->step = step;
-    return known;
+    return 1;
 }
 
 static int sweep_all(stad_tune *t, tune_walk *w)
@@ -87,14 +89,13 @@ static void forget_curve(const stad_tune *t, tune_walk *w)
     w->has_old = 0;
 }
 
-/* From a log entry until nothing is gained at the least step, or until another iteration like the last would not reach `goal`.
- * 0: a cost is wanted. */
-static int descend(stad_tune *t, int entry, int32_t goal)
+/* From x until nothing is gained at the least step. 0: a cost is wanted. */
+static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reach)
 {
     tune_walk w;
-    int32_t polled_at = t->cost[entry];
+    int32_t polled_at = cost;
     int moved, leapt;
-    stad_tune_walk_from(t, &w, &t->point[entry], t->cost[entry], REACH_FIRST);
+    stad_tune_walk_from(t, &w, x, cost, reach);
     for (int k = 1; k <= ITERATIONS; k++) {
         const int32_t before = w.cost;
         const tune_vars from = w.at;
@@ -106,7 +107,7 @@ static int descend(stad_tune *t, int entry, int32_t goal)
                 forget_curve(t, &w);
             polled_at = w.cost;
         }
-        if (2 * w.step <= REACH_FIRST && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
+        if (2 * w.step <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
             return 0;
         if (!sweep_all(t, &w) || (TUNE_JOINT && !stad_tune_joint_step(t, &w)))
             return 0;
@@ -114,9 +115,7 @@ static int descend(stad_tune *t, int entry, int32_t goal)
             return 0;
         if ((k == 1 || w.cost < before) && !settle(t, &w))
             return 0;
-        if (w.cost > goal && before - w.cost < w.cost - goal) /* none is negative */
-            return 1;
-        if (before - w.cost < before / 250) {
+        if (before - w.cost < before / 250) { /* neither is negative */
             if (w.step <= REACH_LEAST) {
                 if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
                     return 0;
@@ -166,12 +165,21 @@ static int best_other(const stad_tune *t, int n, int block)
     return best;
 }
 
+static int descend_from(stad_tune *t, int entry, int32_t reach)
+{
+    return descend(t, &t->point[entry], t->cost[entry], reach);
+}
+
 int stad_tune_descents(stad_tune *t, int rungs)
 {
-    if (!descend(t, t->lead, TUNE_INFINITY) || t->config.patience)
+    if (!descend_from(t, t->lead, REACH_FIRST) || t->config.patience)
+        return 0;
+    if (!descend_from(t, t->lead, REACH_AGAIN))
         return 0;
     const int other = best_other(t, rungs, t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE]);
-    return other < 0 || descend(t, other, t->cost[t->lead]);
+    if (other >= 0 && !descend_from(t, other, REACH_FIRST))
+        return 0;
+    return descend_from(t, t->lead, REACH_AGAIN);
 }
 
 int stad_tune_descend_ladder(stad_tune *t)

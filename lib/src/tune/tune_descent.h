@@ -5,7 +5,7 @@
 
 #include "tune/tune_core.h"
 
-/* Descends from the best point met so far, then from a rung of another block. `rungs`: how many entries of the log are starts.
+/* Descends from the best point met so far, then again as tune_descent.c says. `rungs`: how many entries of the log are starts.
  * 1: converged, there is budget left; 0: a cost is wanted, or one descent was all that was asked for. */
 int stad_tune_descents(stad_tune *t, int rungs);
 

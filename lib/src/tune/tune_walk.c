@@ -7,8 +7,7 @@
 
 #include <string.h>
 
-#define WALL  (1 << 24)
-#define LEAPS 4
+#define WALL (1 << 24)
 
 int32_t stad_tune_rise(int32_t from, int32_t to)
 {
@@ -200,14 +199,15 @@ int stad_tune_leap(stad_tune *t, tune_walk *w, int *moved)
 {
     *moved = 0;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        if (!stad_tune_is_swept(t, i) || t->config.axis[i].scale == STAD_TUNE_AREA)
+        const stad_tune_axis *a = &t->config.axis[i];
+        if (!stad_tune_is_free(&t->config, i) || a->scale != STAD_TUNE_LOG2)
             continue;
-        const int32_t lo = w->at.v[i] - stad_tune_room(t, &w->at, i, -1);
-        const int32_t span = w->at.v[i] - lo + stad_tune_room(t, &w->at, i, 1);
-        for (int k = 0; k <= LEAPS; k++) {
-            tune_vars v = w->at;
+        for (int k = 0; k < 2; k++) {
+            stad_point end = w->x;
+            tune_vars v;
             int better;
-            v.v[i] = lo + span / LEAPS * k;
+            end.v[i] = k == 0 ? a->lo : a->hi;
+            stad_tune_to_vars(&t->config, &end, &v);
             if (!try_there(t, w, &v, &better))
                 return 0;
             if (better) {

@@ -41,9 +41,8 @@ int stad_tune_follow(stad_tune *t, tune_walk *w, const tune_vars *from);
 /* Tries the two neighbours of discrete axis i, the side of the last success first; moves to the first that is better. */
 int stad_tune_poll(stad_tune *t, tune_walk *w, int i, int *moved);
 
-/* Tries both ends of the linear and the plain logarithmic axes and three places between; moves to what is better. Costs have a second
- * valley there: on some scenes the pre-filter cap works nearly as well at 15 as at 127, and badly between, on some the uniqueness
- * at 0 and at 20. */
+/* Tries both ends of the plain logarithmic axes; moves to what is better. Costs have a second valley there: on some scenes the
+ * pre-filter cap works nearly as well at 15 as at 127, and badly between. */
 int stad_tune_leap(stad_tune *t, tune_walk *w, int *moved);
 
 /* to - from as costs, held to +-2^24. */
