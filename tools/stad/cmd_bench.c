@@ -40,6 +40,8 @@ const char *stad_x86_tier_name(void) __attribute__((weak));
 /* `from`: --isa, or the variable that the library looks at when it first matches; any other word would do nothing there. */
 static int check_isa(const char *from, const char *name, tool_fail *f)
 {
+    if (!stad_x86_tier_name)
+        return tool_fail_set(f, TOOL_USAGE, "%s %s: this program has the kernels of port/isa/" STAD_PORT " alone", from, name);
     if (strcmp(name, "c") && strcmp(name, "sse41") && strcmp(name, "avx2") && strcmp(name, "avx512"))
         return tool_fail_set(f, TOOL_USAGE, "%s %s: must be c, sse41, avx2 or avx512", from, name);
     return TOOL_OK;
@@ -190,7 +192,7 @@ static int work(bench_job *j, tool_fail *f)
         status = draw_pair(j, pair, f);
     if (status)
         return status;
-    printf("kernels: %s\n", stad_x86_tier_name ? stad_x86_tier_name() : "of the port this was built with");
+    printf("kernels: %s\n", stad_x86_tier_name ? stad_x86_tier_name() : STAD_PORT);
     for (int mode = 0; mode < 4 && status == TOOL_OK; mode++)
         if (is_timed(j, mode, pair))
             status = bench_mode(j, mode, pair, f);
