@@ -254,7 +254,64 @@ static void test_tune_check_knows_a_state(void)
     t = sound, t.phase = 3, expect_damaged(&t);
     t = sound, t.config.budget = 0, expect_damaged(&t);
     t = sound, t.cost[0] = -1, expect_damaged(&t);
+    t = sound, t.start.v[0] = 0, expect_damaged(&t);
     t = sound, t.phase = 1, t.config.budget = sound.count, expect_damaged(&t);
+}
+
+/* Told up to a third of its budget. */
+static void begin_search(stad_tune *t, int method, int free_mask)
+{
+    stad_point x;
+    stad_tune_config_stereo(&config, STAD_TUNE_FOR_BAD);
+    config.method = (uint8_t)method;
+    config.free_mask = (uint8_t)free_mask;
+    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_init(t, &config, &sample_start));
+    for (int n = 0; n < 33 && stad_tune_ask(t, &x) == 1; n++)
+        stad_tune_tell(t, bowl(&x));
+}
+
+static int within_axes(const stad_tune *t, const stad_point *x)
+{
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        const stad_tune_axis *a = &config.axis[i];
+        if (config.free_mask >> i & 1 ? x->v[i] < a->lo || x->v[i] > a->hi : x->v[i] != t->start.v[i])
+            return 0;
+    }
+    return 1;
+}
+
+/* Goes on to the end; every point asked for is one of the search's. */
+static void expect_goes_on(stad_tune *t)
+{
+    stad_point x;
+    while (stad_tune_ask(t, &x) == 1) {
+        TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_check(t));
+        TEST_ASSERT_TRUE(within_axes(t, &x));
+        stad_tune_tell(t, bowl(&x));
+    }
+    TEST_ASSERT_EQUAL_INT(STAD_OK, stad_tune_check(t));
+}
+
+static void test_tune_check_refuses_points_outside_their_axes(void)
+{
+    char text[80];
+    for (int method = STAD_TUNE_NCG; method <= STAD_TUNE_DESCENT; method++) {
+        for (int free_mask = 1; free_mask < 1 << STAD_TUNE_DIMS; free_mask += 2) {
+            stad_tune sound;
+            begin_search(&sound, method, free_mask);
+            for (int k = 0; k < 4 * STAD_TUNE_DIMS; k++) {
+                const int i = k % STAD_TUNE_DIMS, v = k < 12 ? 0 : config.axis[i].hi + k % 2;
+                stad_tune t = sound;
+                stad_point *x = k / 6 == 0 ? &t.pending : &t.point[k * 5 % t.count];
+                x->v[i] = (int16_t)v;
+                snprintf(text, sizeof text, "method %d, free %d, coordinate %d to %d", method, free_mask, i, v);
+                TEST_ASSERT_EQUAL_INT_MESSAGE(within_axes(&t, x) ? STAD_OK : STAD_E_CORRUPT, stad_tune_check(&t), text);
+                if (within_axes(&t, x))
+                    expect_goes_on(&t);
+            }
+            expect_goes_on(&sound);
+        }
+    }
 }
 
 static void test_tune_best_is_least_of_trace(void)
@@ -286,6 +343,7 @@ int main(void)
     RUN_TEST(test_tune_single_method_equals_chosen);
     RUN_TEST(test_tune_counters_tell_memo_hits);
     RUN_TEST(test_tune_check_knows_a_state);
+    RUN_TEST(test_tune_check_refuses_points_outside_their_axes);
     RUN_TEST(test_tune_best_is_least_of_trace);
     return UNITY_END();
 }

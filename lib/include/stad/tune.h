@@ -149,7 +149,8 @@ int stad_tune_best(const stad_tune *t, stad_point *x, int32_t *cost_q20);
 int stad_tune_trace(const stad_tune *t, int i, stad_point *x, int32_t *cost_q20);
 
 /* Whether a state that comes back from elsewhere can be gone on with: STAD_OK; STAD_E_STATE: never started; STAD_E_CORRUPT: no call of
- * these leaves it so, and nothing else may be called on it. No checksum: points and costs of any value pass. */
+ * these leaves it so, and nothing else may be called on it. No checksum: any cost passes, and any
+ * point within its axes. */
 int stad_tune_check(const stad_tune *t);
 
 /* Counters. */

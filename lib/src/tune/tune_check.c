@@ -7,6 +7,17 @@ static int in(int32_t v, int32_t lo, int32_t hi)
     return v >= lo && v <= hi;
 }
 
+/* Free coordinates within their axes, the others those of the start: as every point asked for. */
+static int in_box(const stad_tune *t, const stad_point *x)
+{
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        const stad_tune_axis *a = &t->config.axis[i];
+        if ((t->config.free_mask >> i) & 1 ? !in(x->v[i], a->lo, a->hi) : x->v[i] != t->start.v[i])
+            return 0;
+    }
+    return 1;
+}
+
 int stad_tune_check(const stad_tune *t)
 {
     if (t->phase == 0)
@@ -17,8 +28,10 @@ int stad_tune_check(const stad_tune *t)
         return STAD_E_CORRUPT;
     if (t->phase == 1 && t->count >= t->config.budget)
         return STAD_E_CORRUPT;
+    if (!in_box(t, &t->start) || !in_box(t, &t->pending))
+        return STAD_E_CORRUPT;
     for (int i = 0; i < t->count; i++)
-        if (t->cost[i] < 0)
+        if (t->cost[i] < 0 || !in_box(t, &t->point[i]))
             return STAD_E_CORRUPT;
     return STAD_OK;
 }
