@@ -4,6 +4,8 @@
  * SOURCES: mark/mark_line.c mark/mark_edge.c mark/mark_decode.c mark/mark_codes.c mark/mark_pair.c base/log.c
  * KNOWN: division by zero. assert below
  * KNOWN: signed downcast. assert (int)((int)count + 1)
+ * GUARD: mark/mark_decode.c != (m->i > 0) || below == 0)
+ * GUARD: mark/mark_decode.c for (; v; v &= v - 1)
  * OPTIONS: -eva-min-loop-unroll 12
  * An interval has no hole: that `below` is not 0 was asked just before it divides. A word has 64 bits to count. */
 #include "mark/mark_work.h"

@@ -5,7 +5,9 @@
  * PRECISION: 1
  * OPTIONS: -eva-min-loop-unroll 42 -eva-slevel 0 -eva-domains equality
  * KNOWN: division by zero. assert b->v[i]
- * A power's range begins at 1, and so do the points of the log; the log is one heap of points here.
+ * GUARD: tune/tune_config.c return a->lo >= 1;
+ * GUARD: tune/tune_check.c !in_box(t, &t->point[i])
+ * A power's range begins at 1, and so do the points of the log, of a kept one too; the log is one heap of points here.
  *
  * In the place of walks, joint steps and line searches stand the states that they leave: prove_walk.c, prove_step.c, prove_wolfe.c. */
 #define PROVE_WITH_LOGARITHMS

@@ -5,6 +5,7 @@
  * SOURCES: kernel/cost_row.c kernel/block_row.c kernel/slide_row.c kernel/box_row.c kernel/path_row.c kernel/path_pair.c kernel/path_row_u8.c kernel/select_row.c
  * OPTIONS: -eva-min-loop-unroll 40
  * KNOWN: (int)total_0 + (int)tmp) ≤ 32767
+ * GUARD: kernel/path_step.h min_i16((int16_t)(STAD_COST_MAX - total), path)
  * A sum, and the lesser of a path and what is left to 32767: proved by wp_path.c, but nothing that ranges can tell. */
 #include "kernel/kernel.h"
 #include "proof/prove.h"

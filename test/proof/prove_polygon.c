@@ -4,6 +4,7 @@
  * SOURCES: truth/polygon.c
  * PRECISION: 1
  * KNOWN: division by zero. assert (int64_t)((int32_t)(b.y_q8 - a.y_q8))
+ * GUARD: truth/polygon.c if (a.y_q8 != b.y_q8) {
  * OPTIONS: -eva-min-loop-unroll 33 -eva-slevel-function stad_polygon_hull:300,append:300,stad_polygon_outer:200,prove_rows:200
  * An interval has no hole: that the corners' y differ was asked just before the division. */
 #include "truth/polygon.h"

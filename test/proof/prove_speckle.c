@@ -2,6 +2,7 @@
  * proof/prove_speckle.c - the speckle filter on any map of up to 4 x 3 px, any sizes and thresholds.
  * SOURCES: match/speckle.c
  * KNOWN: valid_read(label + parent)
+ * GUARD: match/speckle.c label[b] = a;
  * OPTIONS: -eva-min-loop-unroll 16
  * The analysis does not see that a parent is the index of a pixel joined before. */
 #include "proof/prove.h"

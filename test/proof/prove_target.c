@@ -4,6 +4,7 @@
  * SOURCES: truth/truth_target.c truth/truth_part.c truth/sheet_pose.c truth/target.c base/log.c
  * PRECISION: 1
  * KNOWN: signed overflow. assert added +
+ * GUARD: truth/truth_target.c done |= 1u << part;
  * OPTIONS: -eva-min-loop-unroll 9 -eva-interprocedural-splits -eva-split-return-function set_up_vector:0,stad_sheet_pose:0 -eva-slevel-function component_q13:50,fit_component:5000,stad_sheet_pose:5000,set_up_vector:5000,stad_truth_from_target:3000
  * Each part is taken once, so no more is added than there are facets.
  * Fits, hulls and layers are taken at their widest; prove_base.c, prove_truth.c and prove_polygon.c show that they are no wider. */

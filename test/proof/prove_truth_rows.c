@@ -6,6 +6,8 @@
  * PRECISION: 1
  * OPTIONS: -eva-min-loop-unroll 25
  * KNOWN: signed overflow. assert (int32_t)(x * 65536) - *(truth + x)
+ * GUARD: truth/truth_row.c truth[x] = d;
+ * GUARD: truth/truth_row.c if (label[x] != STAD_LABEL_VISIBLE)
  * A pixel that is visible has a truth, which is none but of a plane: draw_plane() sets both. Where a row cuts the polygons is taken at its widest; prove_polygon.c shows that it is no wider. */
 #include "proof/prove.h"
 #include "stad/truth.h"

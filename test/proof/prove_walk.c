@@ -5,6 +5,8 @@
  * OPTIONS: -eva-min-loop-unroll 6 -eva-slevel 0 -eva-split-return full -eva-slevel-function stad_tune_look:9 -eva-slevel-function probe_at:99 -eva-slevel-function second_probe:99 -eva-slevel-function stad_tune_sweep_axis:999 -eva-slevel-function stad_tune_poll:99 -eva-slevel-function try_there:99 -eva-slevel-function stad_tune_leap:99
  * KNOWN: division by zero. assert b ≢ 0
  * KNOWN: \initialized(&better)
+ * GUARD: tune/tune_walk.c if (b && b->from_q16 != a->from_q16) {
+ * GUARD: tune/tune_walk.c if (!try_there(t, w, &v, &better))
  * A range has no hole: that two probes do not lie at one place is asked just before their distance divides. Whether an end was better
  * is asked where its cost was had: both ways out of a look are taken together there. */
 #include "proof/prove_tune.h"

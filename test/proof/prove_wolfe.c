@@ -5,6 +5,7 @@
  * PRECISION: 0
  * OPTIONS: -eva-min-loop-unroll 10
  * KNOWN: \initialized(b + i)
+ * GUARD: tune/tune_wolfe_search.c if (!stad_tune_wolfe_gradient(t, d, &next))
  * Slopes that were not had are not read: the search returns at once, but both ways out are taken together here. */
 #include "proof/prove_tune.h"
 #include "tune/tune_wolfe.h"
