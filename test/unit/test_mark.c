@@ -253,6 +253,13 @@ static void test_mark_line_through_points_met_and_missed(void)
     TEST_ASSERT_INT_WITHIN(1, 768, p.y_q8);
     down.p.x_q8 += 2 * reach;
     TEST_ASSERT_FALSE(stad_mark_line_meet(&across, &down, reach, &p));
+    down.p.x_q8 -= 4 * reach;
+    TEST_ASSERT_FALSE(stad_mark_line_meet(&across, &down, reach, &p));
+    down.p.x_q8 += 2 * reach;
+    across.p.y_q8 += 2 * reach;
+    TEST_ASSERT_FALSE(stad_mark_line_meet(&across, &down, reach, &p));
+    across.p.y_q8 -= 4 * reach;
+    TEST_ASSERT_FALSE(stad_mark_line_meet(&across, &down, reach, &p));
     parallel = across;
     parallel.p.y_q8 += 256;
     TEST_ASSERT_FALSE(stad_mark_line_meet(&across, &parallel, reach, &p));

@@ -231,6 +231,31 @@ static void test_truth_part_out_of_sight_is_told(void)
     TEST_ASSERT_EQUAL(STAD_E_NO_MARK, from(&t));
 }
 
+/* Four sights of a plane d = 40 + a x + b y over a square of 16 px. */
+static int plane_of_slopes(int32_t a_q16, int32_t b_q16, stad_plane *plane)
+{
+    sheet_sight sight[4];
+    for (int i = 0; i < 4; i++) {
+        const int32_t x = i % 2 * 16, y = i / 2 * 16;
+        sight[i].p.x_q8 = x * 256;
+        sight[i].p.y_q8 = y * 256;
+        sight[i].d_q16 = 40 * 65536 + a_q16 * x + b_q16 * y;
+    }
+    return stad_plane_through(sight, plane);
+}
+
+static void test_truth_plane_through_sights_too_steep_either_way_is_none(void)
+{
+    stad_plane plane;
+    TEST_ASSERT_TRUE(plane_of_slopes(32768, -16384, &plane));
+    TEST_ASSERT_INT_WITHIN(64, 32768, plane.a_q16);
+    TEST_ASSERT_INT_WITHIN(64, -16384, plane.b_q16);
+    TEST_ASSERT_FALSE(plane_of_slopes(80000, 0, &plane));
+    TEST_ASSERT_FALSE(plane_of_slopes(-80000, 0, &plane));
+    TEST_ASSERT_FALSE(plane_of_slopes(0, 80000, &plane));
+    TEST_ASSERT_FALSE(plane_of_slopes(0, -80000, &plane));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -250,5 +275,6 @@ int main(void)
     RUN_TEST(test_truth_of_too_many_parts_is_refused);
     RUN_TEST(test_truth_part_without_facets_is_told);
     RUN_TEST(test_truth_part_out_of_sight_is_told);
+    RUN_TEST(test_truth_plane_through_sights_too_steep_either_way_is_none);
     return UNITY_END();
 }
