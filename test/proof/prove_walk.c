@@ -40,12 +40,12 @@ static void prove_axis(int stereo, int i, int side)
     }
 }
 
-static void prove_leap(int stereo)
+static void prove_leap(int stereo, int parts)
 {
     int moved;
     any_search(stereo, STAD_TUNE_NCG);
     tune_walk w = any_walk();
-    stad_tune_leap(&t, &w, &moved);
+    stad_tune_leap(&t, &w, parts, &moved);
     stad_tune_walk_from(&t, &w, &t.start, any(0, INT32_MAX), any(1, TUNE_ONE));
 }
 
@@ -55,7 +55,8 @@ int main(void)
         for (int i = 0; i < STAD_TUNE_DIMS; i++)
             for (int side = -1; side <= 1; side += 2)
                 prove_axis(stereo, i, side);
-        prove_leap(stereo);
+        prove_leap(stereo, 1);
+        prove_leap(stereo, 4);
     }
     return 0;
 }

@@ -35,10 +35,10 @@ END
         ! echo "$symbols" | grep -q "^$name" || { echo "$1: $name is linked, too"; status=1; }
     done
 }
-check descent stad_tune_descents "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd stad_tune_hybrid stad_tune_cross stad_tune_ncg"
-check ncg "stad_tune_descents stad_tune_cross" "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd stad_tune_hybrid"
+check descent stad_tune_descend "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd stad_tune_hybrid stad_tune_cross stad_tune_ncg stad_tune_search"
+check ncg "stad_tune_descend stad_tune_search stad_tune_cross" "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd stad_tune_hybrid"
 check paper stad_tune_wolfe_run "stad_tune_init stad_tune_ncg stad_tune_sd stad_tune_hybrid stad_tune_cross stad_tune_joint stad_tune_walk"
 check sd stad_tune_wolfe_run "stad_tune_init stad_tune_ncg stad_tune_paper stad_tune_hybrid stad_tune_cross stad_tune_joint stad_tune_walk"
-check hybrid "stad_tune_descents stad_tune_cross" "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd"
+check hybrid "stad_tune_descend stad_tune_search stad_tune_cross" "stad_tune_init stad_tune_wolfe stad_tune_paper stad_tune_sd"
 [ $status -eq 0 ] && echo "each method brings its own code alone"
 exit $status

@@ -3,13 +3,16 @@
  *
  * That is differential evolution with the log for a population. The differences of the best points lie along the valleys
  * that the descents have found, whichever way these run, and lead from one block or one end of the cap to another with
- * all other variables following. A draw depends on the log and on its length alone, so a rerun need not repeat it. */
+ * all other variables following. Every third point lies close to the best instead: costs are rough there, by as much as is
+ * left to gain. A draw depends on the log and on its length alone, so a rerun need not repeat it. */
 #include "tune/tune_cross.h"
 #include "tune/tune_random.h"
 
-#define PARENTS 24
+#define PARENTS 12
 #define FEWEST  4
 #define DRAWS   64
+#define CLOSE   8    /* of them, at every third point */
+#define NEAR    2800 /* 3 percent, Q16 of an octave */
 
 typedef struct parents {
     uint8_t entry[PARENTS]; /* of the log, the best first; STAD_TUNE_LOG <= 255 */
@@ -46,7 +49,7 @@ static int32_t moved(const stad_tune *t, int i, const tune_vars *base, const tun
     return held((int64_t)base->v[i] + a->v[i] - b->v[i]);
 }
 
-/* Half of the draws start at the best; two variables in three move, one of them surely. */
+/* Half of the draws start at the best; half of the variables move, one of them surely. */
 static void draw(const stad_tune *t, const parents *p, uint32_t *state, stad_point *x)
 {
     tune_vars base, a, b;
@@ -59,8 +62,20 @@ static void draw(const stad_tune *t, const parents *p, uint32_t *state, stad_poi
     stad_tune_to_vars(&t->config, &t->point[p->entry[other]], &b);
     tune_vars v = base;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        if (i == surely || stad_tune_between(state, 0, 2) > 0)
+        if (i == surely || stad_tune_random(state) >> 31)
             v.v[i] = moved(t, i, &base, &a, &b);
+    }
+    stad_tune_to_point(t, &v, x);
+}
+
+/* The best with its areas moved by up to `reach`. */
+static void draw_close(const stad_tune *t, const parents *p, uint32_t *state, int32_t reach, stad_point *x)
+{
+    tune_vars v;
+    stad_tune_to_vars(&t->config, &t->point[p->entry[0]], &v);
+    for (int i = 0; i < STAD_TUNE_DIMS; i++) {
+        if (t->config.axis[i].scale == STAD_TUNE_AREA)
+            v.v[i] += stad_tune_between(state, -reach, reach);
     }
     stad_tune_to_point(t, &v, x);
 }
@@ -79,7 +94,10 @@ void stad_tune_cross(stad_tune *t)
     for (int k = 0; k < DRAWS; k++) {
         stad_point x;
         int32_t cost;
-        draw(t, &best, &state, &x);
+        if (t->count % 3 == 0 && k < CLOSE)
+            draw_close(t, &best, &state, NEAR * (k + 1), &x);
+        else
+            draw(t, &best, &state, &x);
         if (stad_tune_find(t, &x) < 0) {
             stad_tune_look(t, &x, &cost);
             return;

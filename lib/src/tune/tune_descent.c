@@ -3,14 +3,11 @@
  *
  * From the best of the start and its ladder: sweep the axes, each giving slope and curvature and moving at once; take one
  * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
- * 0.4 percent. When it has converged, descend again from the best with fresh steps, and from the best rung of another
- * block. Axes whose probes are cheap are swept first, and settled wherever the others lead. */
+ * 0.4 percent. Axes whose probes are cheap are swept first, and settled wherever the others lead. */
 #include "tune/tune_descent.h"
 #include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
 
-#define REACH_FIRST (3 * TUNE_ONE / 4)
-#define REACH_AGAIN (TUNE_ONE / 2)
 #define REACH_LEAST (TUNE_ONE / 8)
 #define ITERATIONS  30
 
@@ -89,56 +86,61 @@ static void forget_curve(const stad_tune *t, tune_walk *w)
     w->has_old = 0;
 }
 
-/* From x until nothing is gained at the least step. 0: a cost is wanted. */
-static int descend(stad_tune *t, const stad_point *x, int32_t cost, int32_t reach)
+/* After an iteration that brought little: another block, at the least step a leap, or else finer steps. *done: none is left. */
+static int go_finer(stad_tune *t, tune_walk *w, int32_t reach, int *done)
 {
-    tune_walk w;
-    int32_t polled_at = cost;
-    int moved, leapt;
-    stad_tune_walk_from(t, &w, x, cost, reach);
-    for (int k = 1; k <= ITERATIONS; k++) {
-        const int32_t before = w.cost;
-        const tune_vars from = w.at;
-        t->counts.iterations++;
-        if (w.cost < polled_at - polled_at / 33) {
-            if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
-                return 0;
-            if (moved)
-                forget_curve(t, &w);
-            polled_at = w.cost;
-        }
-        if (2 * w.step <= reach && !poll_all(t, &w, STAD_TUNE_POWER, &moved))
-            return 0;
-        if (!sweep_all(t, &w) || (TUNE_JOINT && !stad_tune_joint_step(t, &w)))
-            return 0;
-        if (TUNE_FOLLOW && !stad_tune_follow(t, &w, &from))
-            return 0;
-        if ((k == 1 || w.cost < before) && !settle(t, &w))
-            return 0;
-        if (before - w.cost < before / 250) { /* neither is negative */
-            if (w.step <= REACH_LEAST) {
-                if (!poll_all(t, &w, STAD_TUNE_ODD, &moved))
-                    return 0;
-                if (!stad_tune_leap(t, &w, &leapt))
-                    return 0;
-                if (!moved && !leapt)
-                    return 1;
-                forget_curve(t, &w);
-                w.step = REACH_AGAIN;
-                polled_at = w.cost;
-                continue;
-            }
-            w.step = w.step / 2 > REACH_LEAST ? w.step / 2 : REACH_LEAST;
-            w.has_old = 0;
-        }
-        if ((k & 3) == 0)
-            w.has_old = 0;
+    const int least = w->step <= REACH_LEAST;
+    int moved = 0, leapt = 0;
+    if ((least || w->step == reach) && !poll_all(t, w, STAD_TUNE_ODD, &moved))
+        return 0;
+    if (least && !stad_tune_leap(t, w, 1, &leapt))
+        return 0;
+    *done = least && !moved && !leapt;
+    if (moved || leapt) {
+        forget_curve(t, w);
+        w->step = least ? TUNE_REACH_AGAIN : w->step;
+    } else {
+        w->step = w->step / 2 > REACH_LEAST ? w->step / 2 : REACH_LEAST;
+        w->has_old = 0;
     }
     return 1;
 }
 
-/* Scores the start and its ladder. */
-static int score_ladder(stad_tune *t)
+int stad_tune_descend(stad_tune *t, tune_walk *w, int entry, int32_t reach, int32_t goal)
+{
+    int32_t polled_at = t->cost[entry];
+    int moved, done = 0;
+    stad_tune_walk_from(t, w, &t->point[entry], t->cost[entry], reach);
+    for (int k = 1; k <= ITERATIONS && !done; k++) {
+        const int32_t before = w->cost;
+        const tune_vars from = w->at;
+        t->counts.iterations++;
+        if (w->cost < polled_at - polled_at / 33) {
+            if (!poll_all(t, w, STAD_TUNE_ODD, &moved))
+                return 0;
+            if (moved)
+                forget_curve(t, w);
+            polled_at = w->cost;
+        }
+        if (2 * w->step <= reach && !poll_all(t, w, STAD_TUNE_POWER, &moved))
+            return 0;
+        if (!sweep_all(t, w) || (TUNE_JOINT && !stad_tune_joint_step(t, w)))
+            return 0;
+        if (TUNE_FOLLOW && !stad_tune_follow(t, w, &from))
+            return 0;
+        if ((k == 1 || w->cost < before) && !settle(t, w))
+            return 0;
+        if (w->cost > goal && before - w->cost < w->cost - goal) /* none is negative */
+            return 1;
+        if (before - w->cost < before / 250 && !go_finer(t, w, reach, &done))
+            return 0;
+        if ((k & 3) == 0)
+            w->has_old = 0;
+    }
+    return 1;
+}
+
+int stad_tune_score_ladder(stad_tune *t)
 {
     int32_t cost;
     if (!stad_tune_look(t, &t->start, &cost))
@@ -154,39 +156,6 @@ static int score_ladder(stad_tune *t)
     return 1;
 }
 
-/* The best of the first n log entries whose block is not `block`, or -1. */
-static int best_other(const stad_tune *t, int n, int block)
-{
-    int best = -1;
-    for (int i = 0; i < n; i++) {
-        if (t->point[i].v[STAD_TUNE_BLOCK_SIZE] != block && (best < 0 || t->cost[i] < t->cost[best]))
-            best = i;
-    }
-    return best;
-}
-
-static int descend_from(stad_tune *t, int entry, int32_t reach)
-{
-    return descend(t, &t->point[entry], t->cost[entry], reach);
-}
-
-int stad_tune_descents(stad_tune *t, int rungs)
-{
-    if (!descend_from(t, t->lead, REACH_FIRST) || t->config.patience)
-        return 0;
-    if (!descend_from(t, t->lead, REACH_AGAIN))
-        return 0;
-    const int other = best_other(t, rungs, t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE]);
-    if (other >= 0 && !descend_from(t, other, REACH_FIRST))
-        return 0;
-    return descend_from(t, t->lead, REACH_AGAIN);
-}
-
-int stad_tune_descend_ladder(stad_tune *t)
-{
-    return score_ladder(t) && stad_tune_descents(t, t->cursor);
-}
-
 int stad_tune_descent_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)
 {
     return stad_tune_core_init(t, c, start, STAD_TUNE_DESCENT);
@@ -197,7 +166,9 @@ int stad_tune_descent_tell(stad_tune *t, int32_t cost_q20)
     const int status = stad_tune_core_record(t, cost_q20);
     if (status != STAD_OK)
         return status;
+    tune_walk w;
     stad_tune_core_rewind(t);
-    stad_tune_descend_ladder(t);
+    if (stad_tune_score_ladder(t))
+        stad_tune_descend(t, &w, t->lead, TUNE_REACH_FIRST, TUNE_INFINITY);
     return STAD_OK;
 }

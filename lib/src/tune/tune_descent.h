@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: MIT
- * tune/tune_descent.h - the descents of the swept search, for methods that choose where to start or how to go on. */
+ * tune/tune_descent.h - one descent of the swept search, for methods that choose where to start and how to go on. */
 #ifndef STAD_TUNE_DESCENT_H
 #define STAD_TUNE_DESCENT_H
 
-#include "tune/tune_core.h"
+#include "tune/tune_walk.h"
 
-/* Descends from the best point met so far, then again as tune_descent.c says. `rungs`: how many entries of the log are starts.
- * 1: converged, there is budget left; 0: a cost is wanted, or one descent was all that was asked for. */
-int stad_tune_descents(stad_tune *t, int rungs);
+#define TUNE_REACH_FIRST (3 * TUNE_ONE / 4) /* first probing distances: from afar, */
+#define TUNE_REACH_AGAIN (TUNE_ONE / 2)     /* and from where something has been gained */
 
-/* The same from the start and its ladder, which are scored first. */
-int stad_tune_descend_ladder(stad_tune *t);
+/* Descends from a log entry until nothing is gained at the least probing distance, or until another iteration like the last would
+ * not come below `goal`. 1: converged; 0: a cost is wanted. */
+int stad_tune_descend(stad_tune *t, tune_walk *w, int entry, int32_t reach, int32_t goal);
+
+/* Scores the start and its ladder. 0: a cost is wanted. */
+int stad_tune_score_ladder(stad_tune *t);
 
 #endif

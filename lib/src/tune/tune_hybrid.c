@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * tune/tune_hybrid.c - a coarse random search, then the swept descent from the best it found. */
-#include "tune/tune_cross.h"
-#include "tune/tune_descent.h"
 #include "tune/tune_random.h"
+#include "tune/tune_search.h"
 
 /* A random point: continuous axes uniform in their variable, discrete ones among their values. */
 static void random_point(const stad_tune *t, uint32_t *state, stad_point *x)
@@ -35,8 +34,7 @@ static void run(stad_tune *t)
         if (!stad_tune_look(t, &x, &cost))
             return;
     }
-    if (stad_tune_descents(t, t->cursor))
-        stad_tune_cross(t);
+    stad_tune_search(t);
 }
 
 int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)

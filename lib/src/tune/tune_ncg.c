@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * tell -> [NCG] -> ask         tune/tune_ncg.c - the swept lattice conjugate gradient; what is left of the budget when it
- * has converged goes to crosses of the best points. */
-#include "tune/tune_cross.h"
+ * tell -> [NCG] -> ask         tune/tune_ncg.c - the swept lattice conjugate gradient, and what goes further when it has
+ * converged. */
 #include "tune/tune_descent.h"
+#include "tune/tune_search.h"
 
 int stad_tune_ncg_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)
 {
@@ -15,7 +15,7 @@ int stad_tune_ncg_tell(stad_tune *t, int32_t cost_q20)
     if (status != STAD_OK)
         return status;
     stad_tune_core_rewind(t);
-    if (stad_tune_descend_ladder(t))
-        stad_tune_cross(t);
+    if (stad_tune_score_ladder(t))
+        stad_tune_search(t);
     return STAD_OK;
 }

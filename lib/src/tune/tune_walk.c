@@ -182,32 +182,37 @@ int stad_tune_poll(stad_tune *t, tune_walk *w, int i, int *moved)
     *moved = 0;
     for (int k = 0; k < 2 && !*moved; k++) {
         const int s = k == 0 ? w->side[i] : -w->side[i];
-        const int next = neighbour(a, w->x.v[i], s);
-        tune_vars v = w->at;
-        if (next < a->lo || next > a->hi)
-            continue;
-        v.v[i] = next;
-        if (!try_there(t, w, &v, moved))
-            return 0;
-        if (*moved)
-            w->side[i] = (int8_t)s;
+        int better;
+        do {
+            const int next = neighbour(a, w->x.v[i], s);
+            tune_vars v = w->at;
+            if (next < a->lo || next > a->hi)
+                break;
+            v.v[i] = next;
+            if (!try_there(t, w, &v, &better))
+                return 0;
+            if (better) {
+                w->side[i] = (int8_t)s;
+                *moved = 1;
+            }
+        } while (better && a->scale == STAD_TUNE_POWER);
     }
     return 1;
 }
 
-int stad_tune_leap(stad_tune *t, tune_walk *w, int *moved)
+int stad_tune_leap(stad_tune *t, tune_walk *w, int parts, int *moved)
 {
     *moved = 0;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        const stad_tune_axis *a = &t->config.axis[i];
-        if (!stad_tune_is_free(&t->config, i) || a->scale != STAD_TUNE_LOG2)
+        const int scale = t->config.axis[i].scale;
+        if (!stad_tune_is_free(&t->config, i) || (scale != STAD_TUNE_LOG2 && (scale != STAD_TUNE_LINEAR || parts == 1)))
             continue;
-        for (int k = 0; k < 2; k++) {
-            stad_point end = w->x;
-            tune_vars v;
+        const int32_t lo = w->at.v[i] - stad_tune_room(t, &w->at, i, -1);
+        const int32_t span = w->at.v[i] - lo + stad_tune_room(t, &w->at, i, 1);
+        for (int k = 0; k <= parts; k++) {
+            tune_vars v = w->at;
             int better;
-            end.v[i] = k == 0 ? a->lo : a->hi;
-            stad_tune_to_vars(&t->config, &end, &v);
+            v.v[i] = lo + span / parts * k;
             if (!try_there(t, w, &v, &better))
                 return 0;
             if (better) {

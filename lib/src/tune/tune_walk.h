@@ -38,12 +38,14 @@ int stad_tune_joint_step(stad_tune *t, tune_walk *w);
 /* Goes on by the way of the last two iterations, from `from` to here, as long as it pays. */
 int stad_tune_follow(stad_tune *t, tune_walk *w, const tune_vars *from);
 
-/* Tries the two neighbours of discrete axis i, the side of the last success first; moves to the first that is better. */
+/* Tries the two neighbours of discrete axis i, the side of the last success first; moves to the first that is better, on an axis of
+ * powers as far as that pays. */
 int stad_tune_poll(stad_tune *t, tune_walk *w, int i, int *moved);
 
-/* Tries both ends of the plain logarithmic axes; moves to what is better. Costs have a second valley there: on some scenes the
- * pre-filter cap works nearly as well at 15 as at 127, and badly between. */
-int stad_tune_leap(stad_tune *t, tune_walk *w, int *moved);
+/* Tries the ends of `parts` parts of each plain logarithmic axis, and with more parts than one of each linear axis; moves to what
+ * is better. Costs have a second valley there: on some scenes the pre-filter cap works nearly as well at 15 as at 127, and badly
+ * between, on some the uniqueness at 0 and at 20. */
+int stad_tune_leap(stad_tune *t, tune_walk *w, int parts, int *moved);
 
 /* to - from as costs, held to +-2^24. */
 int32_t stad_tune_rise(int32_t from, int32_t to);
