@@ -71,7 +71,7 @@ enum stad_tune_scale {
 typedef struct stad_tune_axis {
     int16_t lo, hi; /* inclusive; lo >= 1 for all but LINEAR; LINEAR: within STAD_TUNE_UNITS units of zero */
     int16_t
-        unit; /* >= 1. LINEAR: integers per step; LOG2 and AREA: only lo, lo + unit, lo + 2 unit, ... are asked for */
+        unit; /* >= 1. LINEAR: integers per step; LOG2 and AREA: only lo, lo + unit, lo + 2 unit, ... are asked for, but for a p2 that `ordered` puts one above p1 */
     uint8_t scale; /* enum stad_tune_scale */
     int8_t side;   /* +1 or -1: where to look first */
 } stad_tune_axis;
@@ -86,7 +86,7 @@ typedef struct stad_tune_config {
         ordered; /* 1: p2 is kept above p1, as stereo wants, and by the descents, where both may move, at about sqrt(2) * p1 or more; 0: independent */
     uint8_t ladder_count; /* 0..STAD_TUNE_LADDER */
     int16_t budget;       /* distinct evaluations, 1..STAD_TUNE_LOG */
-    uint8_t patience;     /* 0: use the whole budget; 1: stop when the first descent has converged */
+    uint8_t patience;     /* 0: use the budget, as long as there is something new to try; 1: stop when the first descent has converged */
     uint8_t
         cheap_mask; /* bit i set: a point that moves coordinate i alone costs the application next to nothing (stad/winners.h). NCG, DESCENT and HYBRID then settle these coordinates at once wherever they get to; 0: none, the default */
     uint32_t seed;        /* of the draws of HYBRID, and of the crosses that end NCG and HYBRID */

@@ -8,7 +8,8 @@
 #include "tune/tune_cross.h"
 #include "tune/tune_random.h"
 
-#define PARENTS 12
+#define PARENTS 24
+#define FIRST   12 /* of them, as long as they give something new */
 #define FEWEST  4
 #define DRAWS   64
 #define CLOSE   8    /* of them, at every third point */
@@ -36,7 +37,8 @@ static void offer(const stad_tune *t, parents *p, int i)
 
 static int32_t held(int64_t v)
 {
-    return v > INT32_MAX ? INT32_MAX : v < -INT32_MAX ? -INT32_MAX : (int32_t)v;
+    const int32_t most = STAD_TUNE_UNITS * TUNE_ONE; /* of linear variables; all others are far below */
+    return v > most ? most : v < -most ? -most : (int32_t)v;
 }
 
 /* Coordinate i of `base` moved by what leads from b to a. */
@@ -49,13 +51,13 @@ static int32_t moved(const stad_tune *t, int i, const tune_vars *base, const tun
     return held((int64_t)base->v[i] + a->v[i] - b->v[i]);
 }
 
-/* Half of the draws start at the best; half of the variables move, one of them surely. */
-static void draw(const stad_tune *t, const parents *p, uint32_t *state, stad_point *x)
+/* Among the first `count` parents: half of the draws start at the best; half of the variables move, and one surely. */
+static void draw(const stad_tune *t, const parents *p, int count, uint32_t *state, stad_point *x)
 {
     tune_vars base, a, b;
-    const int from = stad_tune_random(state) >> 31 ? 0 : stad_tune_between(state, 0, p->count - 1);
-    const int to = stad_tune_between(state, 0, p->count - 1);
-    const int other = (to + stad_tune_between(state, 1, p->count - 1)) % p->count;
+    const int from = stad_tune_random(state) >> 31 ? 0 : stad_tune_between(state, 0, count - 1);
+    const int to = stad_tune_between(state, 0, count - 1);
+    const int other = (to + stad_tune_between(state, 1, count - 1)) % count;
     const int surely = stad_tune_between(state, 0, STAD_TUNE_DIMS - 1);
     stad_tune_to_vars(&t->config, &t->point[p->entry[from]], &base);
     stad_tune_to_vars(&t->config, &t->point[p->entry[to]], &a);
@@ -74,7 +76,7 @@ static void draw_close(const stad_tune *t, const parents *p, uint32_t *state, in
     tune_vars v;
     stad_tune_to_vars(&t->config, &t->point[p->entry[0]], &v);
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        if (t->config.axis[i].scale == STAD_TUNE_AREA)
+        if (stad_tune_is_free(&t->config, i) && t->config.axis[i].scale == STAD_TUNE_AREA)
             v.v[i] += stad_tune_between(state, -reach, reach);
     }
     stad_tune_to_point(t, &v, x);
@@ -97,7 +99,7 @@ void stad_tune_cross(stad_tune *t)
         if (t->count % 3 == 0 && k < CLOSE)
             draw_close(t, &best, &state, NEAR * (k + 1), &x);
         else
-            draw(t, &best, &state, &x);
+            draw(t, &best, k < DRAWS / 2 && best.count > FIRST ? FIRST : best.count, &state, &x);
         if (stad_tune_find(t, &x) < 0) {
             stad_tune_look(t, &x, &cost);
             return;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * tell -> [DESCENT] -> ask         tune/tune_descent.c - the swept lattice conjugate gradient, until it has converged.
  *
- * From the best of the start and its ladder: sweep the axes, each giving slope and curvature and moving at once; take one
+ * From where a method begins: sweep the axes, each giving slope and curvature and moving at once; take one
  * joint step; poll the discrete axes when the sweeps slow down; halve the probing distance when an iteration gains under
  * 0.4 percent. Axes whose probes are cheap are swept first, and settled wherever the others lead. */
 #include "tune/tune_descent.h"
@@ -130,9 +130,9 @@ int stad_tune_descend(stad_tune *t, tune_walk *w, int entry, int32_t reach, int3
             return 0;
         if ((k == 1 || w->cost < before) && !settle(t, w))
             return 0;
-        if (w->cost > goal && before - w->cost < w->cost - goal) /* none is negative */
+        if (w->cost > goal && before - w->cost < w->cost - goal) /* another gain like this would not do */
             return 1;
-        if (before - w->cost < before / 250 && !go_finer(t, w, reach, &done))
+        if (before - w->cost <= before / 250 && !go_finer(t, w, reach, &done))
             return 0;
         if ((k & 3) == 0)
             w->has_old = 0;

@@ -9,7 +9,7 @@
 #define TUNE_REACH_AGAIN (TUNE_ONE / 2)     /* and from where something has been gained */
 
 /* Descends from a log entry until nothing is gained at the least probing distance, or until another iteration like the last would
- * not come below `goal`. 1: converged; 0: a cost is wanted. */
+ * not come below `goal`. 1: converged, and w is where it ended; 0: a cost is wanted. */
 int stad_tune_descend(stad_tune *t, tune_walk *w, int entry, int32_t reach, int32_t goal);
 
 /* Scores the start and its ladder. 0: a cost is wanted. */

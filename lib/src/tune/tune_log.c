@@ -59,6 +59,8 @@ void stad_tune_core_rewind(stad_tune *t)
     t->phase = PHASE_FINISHED;
     t->cursor = 0;
     t->lead = -1;
+    if (t->cost[t->best < 0 ? 0 : t->best] == 0)
+        return; /* the end: nothing is run again */
     t->counts.calls = 0;
     t->counts.iterations = 0;
 }

@@ -7,7 +7,7 @@
 #include "tune/tune_cross.h"
 #include "tune/tune_descent.h"
 
-#define QUARTERS 4
+#define LEAP_PARTS 4
 
 /* The best of the points met so far whose block is not the best one's, or -1. */
 static int best_of_another_block(const stad_tune *t)
@@ -15,7 +15,7 @@ static int best_of_another_block(const stad_tune *t)
     const int block = t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE];
     int best = -1;
     for (int i = 0; i < t->cursor; i++) {
-        if (t->point[i].v[STAD_TUNE_BLOCK_SIZE] != block && (best < 0 || t->cost[i] < t->cost[best]))
+        if (t->cost[i] != STAD_COST_FAILED && t->point[i].v[STAD_TUNE_BLOCK_SIZE] != block && (best < 0 || t->cost[i] < t->cost[best]))
             best = i;
     }
     return best;
@@ -27,7 +27,7 @@ void stad_tune_search(stad_tune *t)
     int leapt;
     if (!stad_tune_descend(t, &w, t->lead, TUNE_REACH_FIRST, TUNE_INFINITY) || t->config.patience)
         return;
-    if (!stad_tune_leap(t, &w, QUARTERS, &leapt))
+    if (!stad_tune_leap(t, &w, LEAP_PARTS, &leapt))
         return;
     if (leapt && !stad_tune_descend(t, &w, t->lead, TUNE_REACH_AGAIN, TUNE_INFINITY))
         return;

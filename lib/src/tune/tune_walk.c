@@ -207,12 +207,12 @@ int stad_tune_leap(stad_tune *t, tune_walk *w, int parts, int *moved)
         const int scale = t->config.axis[i].scale;
         if (!stad_tune_is_free(&t->config, i) || (scale != STAD_TUNE_LOG2 && (scale != STAD_TUNE_LINEAR || parts == 1)))
             continue;
-        const int32_t lo = w->at.v[i] - stad_tune_room(t, &w->at, i, -1);
-        const int32_t span = w->at.v[i] - lo + stad_tune_room(t, &w->at, i, 1);
+        const int32_t hi = w->at.v[i] + stad_tune_room(t, &w->at, i, 1);
+        const int32_t part = (hi - w->at.v[i] + stad_tune_room(t, &w->at, i, -1)) / parts;
         for (int k = 0; k <= parts; k++) {
             tune_vars v = w->at;
             int better;
-            v.v[i] = lo + span / parts * k;
+            v.v[i] = hi - part * (parts - k);
             if (!try_there(t, w, &v, &better))
                 return 0;
             if (better) {

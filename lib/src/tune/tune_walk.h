@@ -35,7 +35,7 @@ int stad_tune_sweep_axis(stad_tune *t, tune_walk *w, int i);
 /* One joint step along the scaled conjugate direction. */
 int stad_tune_joint_step(stad_tune *t, tune_walk *w);
 
-/* Goes on by the way of the last two iterations, from `from` to here, as long as it pays. */
+/* Goes on by the way of this iteration, from `from` to here, as long as it pays. */
 int stad_tune_follow(stad_tune *t, tune_walk *w, const tune_vars *from);
 
 /* Tries the two neighbours of discrete axis i, the side of the last success first; moves to the first that is better, on an axis of
