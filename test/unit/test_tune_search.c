@@ -124,6 +124,23 @@ static void test_tune_tiny_costs_reach_the_least_step(void)
     TEST_ASSERT_LESS_THAN_INT(20, stad_tune_counts_of(&tune).iterations);
 }
 
+/* Down by a few percent an iteration for as long as anyone walks. */
+static int32_t endless_slope(const stad_point *x)
+{
+    return 10000000 - 40000 * (x->v[STAD_TUNE_UNIQUENESS_RATIO] < 240 ? x->v[STAD_TUNE_UNIQUENESS_RATIO] : 240);
+}
+
+static void test_tune_descent_ends_after_thirty_iterations(void)
+{
+    const stad_tune_axis axis = {0, 8000, 1, STAD_TUNE_LINEAR, 1};
+    config.method = STAD_TUNE_DESCENT;
+    config.budget = STAD_TUNE_LOG;
+    config.axis[STAD_TUNE_UNIQUENESS_RATIO] = axis;
+    config.free_mask = 1 << STAD_TUNE_UNIQUENESS_RATIO;
+    run_search(&tune, &config, &sample_start, endless_slope);
+    TEST_ASSERT_EQUAL_INT(30, stad_tune_counts_of(&tune).iterations);
+}
+
 static int32_t zero_at_last(const stad_point *x)
 {
     return x->v[STAD_TUNE_UNIQUENESS_RATIO] > 30 ? 0 : bowl(x);
@@ -162,6 +179,7 @@ int main(void)
     RUN_TEST(test_tune_another_block_is_descended_from_once);
     RUN_TEST(test_tune_every_third_cross_lies_close_to_the_best);
     RUN_TEST(test_tune_tiny_costs_reach_the_least_step);
+    RUN_TEST(test_tune_descent_ends_after_thirty_iterations);
     RUN_TEST(test_tune_cost_of_zero_keeps_the_counts);
     RUN_TEST(test_tune_far_linear_ends_do_not_overflow);
     return UNITY_END();
