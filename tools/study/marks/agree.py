@@ -122,6 +122,11 @@ def agree_on(name):
         print(f'agree     to the mean of {reference} over the turns: {told(far(ours, turned_mean(image, finds)))}')
     apart = far(*(finds(image) for finds in (list(REFERENCES.values()) * 2)[:2]))
     print(f"agree     {' to '.join((list(REFERENCES) * 2)[:2])}: {told(apart)}")
+    for name, finds in REFERENCES.items():
+        for how in SETTINGS[1:]:
+            theirs = finds(image, *how)
+            print(f'agree     {name} at decimate {how[0]} sigma {how[1]}, to its own without: {told(far(theirs, finds(image)))}; '
+                  f'to ours: {told(far(theirs, ours))}')
     for who, finds in {'ours': find, **REFERENCES}.items():
         turns = quarter_turns(image, finds)
         for turn in (1, 2, 3):
