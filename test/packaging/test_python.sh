@@ -11,7 +11,7 @@ cd "$work"
 failures=0
 for test in test_opencv test_board test_study; do
     if "$venv/bin/python" -W error::DeprecationWarning "$work/source/test/python/$test.py" >"$work/$test.log" 2>&1; then
-        echo "$test: $(grep -h '^Ran\|^a worker' "$work/$test.log" | tr '\n' ' ')"
+        echo "$test: $(grep -h '^Ran' "$work/$test.log" | tr '\n' ' ')"
     else
         cat "$work/$test.log"
         failures=$((failures + 1))
