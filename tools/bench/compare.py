@@ -142,6 +142,8 @@ def main():
     parser.add_argument("--csv", default=os.path.join(RESULTS, "compare.csv"))
     parser.add_argument("--worker", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
+    if arguments.seconds < 0:
+        parser.error(f"argument --seconds: {arguments.seconds} is less than 0")
     if arguments.worker:
         return worker(arguments)
     cpu, compiler = machine()

@@ -18,8 +18,9 @@ static const char help[] =
     "names the kernels in use, which the variable STAD_ISA may hold down as --isa does.\n\n"
     "  --width W, --height H        (640, 480)\n"
     "  --frames N                   (9)\n"
-    "  --isa c|sse41|avx2|avx512    at most this tier of kernels on x86 (what the CPU "
-    "has)\n" MATCH_OPTIONS_HELP "\nExample: stad bench --num-disparities 128 --mode sgbm\n";
+    "  --isa c|sse41|avx2|avx512    at most this tier of kernels on x86 (all that the CPU has)\n"
+    MATCH_OPTIONS_HELP_FOR("all four")
+    "\nExample: stad bench --num-disparities 128 --mode sgbm\n";
 
 typedef struct bench_job {
     match_options options;

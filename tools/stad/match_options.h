@@ -36,9 +36,10 @@ enum match_option_code {
     {"gray", no_argument, NULL, OPT_GRAY}
 /* clang-format on */
 
-/* The same for a help text. */
-#define MATCH_OPTIONS_HELP                                                                                   \
-    "  --mode sgbm|hh|3way|hh4      as cv::StereoSGBM's modes (sgbm)\n"                                      \
+/* The same for a help text; `otherwise` says what holds without --mode. */
+#define MATCH_OPTIONS_HELP MATCH_OPTIONS_HELP_FOR("sgbm")
+#define MATCH_OPTIONS_HELP_FOR(otherwise)                                                                    \
+    "  --mode sgbm|hh|3way|hh4      as cv::StereoSGBM's modes (" otherwise ")\n"                             \
     "  --min-disparity N            smallest disparity searched, px (0)\n"                                   \
     "  --num-disparities N          how many, a multiple of 8, in 3way of 16 (an eighth of the width)\n"                   \
     "  --block-size N               side of the matching block, odd (3)\n"                                   \
