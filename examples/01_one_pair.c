@@ -9,8 +9,7 @@ enum { W = 160, H = 48, D = 16, BLOCK = 5, P2 = 32 * BLOCK * BLOCK, CAP = 63 };
 
 static uint8_t left[H][W], right[H][W];
 static int16_t disp[H][W]; /* px * 16 */
-static uint8_t
-    work[STAD_MATCH_BYTES(W, H, 1, D, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_FAST)] STAD_ALIGNED;
+static uint8_t work[STAD_MATCH_BYTES(W, H, 1, D, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_FAST)] STAD_ALIGNED;
 
 static void make_frames(void)
 {
@@ -38,8 +37,7 @@ int main(void)
 
     int status = stad_match_init(&matcher, &geometry, work, sizeof work);
     if (status == STAD_OK) {
-        const stad_image l = stad_image_packed(&left[0][0], W, H, 1),
-                         r = stad_image_packed(&right[0][0], W, H, 1);
+        const stad_image l = stad_image_packed(&left[0][0], W, H, 1), r = stad_image_packed(&right[0][0], W, H, 1);
         status = stad_match_frame(&matcher, &params, &l, &r, &disp[0][0], W, NULL, 0);
     }
     if (status != STAD_OK) {

@@ -10,8 +10,7 @@
 
 enum { W = 320, H = 120, D = 32, BLOCK = 5, P2 = 32 * BLOCK * BLOCK, CAP = 63 };
 
-static uint8_t
-    work[STAD_MATCH_BYTES(W, H, 1, D, BLOCK, P2, CAP, STAD_MODE_3WAY, STAD_MEMORY_SMALL)] STAD_ALIGNED;
+static uint8_t work[STAD_MATCH_BYTES(W, H, 1, D, BLOCK, P2, CAP, STAD_MODE_3WAY, STAD_MEMORY_SMALL)] STAD_ALIGNED;
 static stad_match matcher;
 static int right_answers, rows_out;
 
@@ -30,8 +29,7 @@ int main(void)
     int16_t disp_q4[W];
     stad_params params;
     stad_params_sample(&params, D, BLOCK, 1);
-    if (stad_match_init(&matcher, &geometry, work, sizeof work) != STAD_OK ||
-        stad_match_begin(&matcher, &params) != STAD_OK)
+    if (stad_match_init(&matcher, &geometry, work, sizeof work) != STAD_OK || stad_match_begin(&matcher, &params) != STAD_OK)
         return 1;
 
     for (int y = 0; y < H; y++) {
@@ -44,7 +42,7 @@ int main(void)
 
     const stad_match_counts *counts = stad_match_counts_of(&matcher);
     int of = H * (W / 2 - 48);
-    printf("%zu bytes of workspace, %d rows, %d of %d pixels right, %d rejected by the left-right check\n",
-           sizeof work, rows_out, right_answers, of, (int)counts->rejected_check);
+    printf("%zu bytes of workspace, %d rows, %d of %d pixels right, %d rejected by the left-right check\n", sizeof work, rows_out,
+           right_answers, of, (int)counts->rejected_check);
     return rows_out == H && right_answers > of * 9 / 10 ? 0 : 1;
 }

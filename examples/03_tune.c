@@ -9,8 +9,7 @@
 
 enum { W = 192, H = 64, D = 16, BLOCK = 7, P2 = 2048, CAP = 127 };
 
-static uint8_t
-    work[STAD_MATCH_BYTES(W, H, 1, D, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_FAST)] STAD_ALIGNED;
+static uint8_t work[STAD_MATCH_BYTES(W, H, 1, D, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_FAST)] STAD_ALIGNED;
 static stad_match matcher;
 static stad_tune tuner;
 
@@ -62,8 +61,7 @@ int main(void)
     config.axis[STAD_TUNE_BLOCK_SIZE].hi = BLOCK; /* what the geometry affords */
     config.axis[STAD_TUNE_P2].hi = P2;
     config.axis[STAD_TUNE_PRE_FILTER_CAP].hi = CAP;
-    if (stad_match_init(&matcher, &geometry, work, sizeof work) != STAD_OK ||
-        stad_tune_init(&tuner, &config, &start) != STAD_OK)
+    if (stad_match_init(&matcher, &geometry, work, sizeof work) != STAD_OK || stad_tune_init(&tuner, &config, &start) != STAD_OK)
         return 1;
 
     while (stad_tune_ask(&tuner, &x) == 1)
@@ -73,8 +71,8 @@ int main(void)
         return 1;
     printf("%d evaluations: bad %.2f %% -> %.2f %% at p1 %d, p2 %d, block %d, uniqueness %d, cap %d, disp12 "
            "%d\n",
-           stad_tune_counts_of(&tuner).evaluations, 100.0 * first / STAD_COST_ONE,
-           100.0 * best / STAD_COST_ONE, x.v[STAD_TUNE_P1], x.v[STAD_TUNE_P2], x.v[STAD_TUNE_BLOCK_SIZE],
-           x.v[STAD_TUNE_UNIQUENESS_RATIO], x.v[STAD_TUNE_PRE_FILTER_CAP], x.v[STAD_TUNE_DISP12_MAX_DIFF]);
+           stad_tune_counts_of(&tuner).evaluations, 100.0 * first / STAD_COST_ONE, 100.0 * best / STAD_COST_ONE,
+           x.v[STAD_TUNE_P1], x.v[STAD_TUNE_P2], x.v[STAD_TUNE_BLOCK_SIZE], x.v[STAD_TUNE_UNIQUENESS_RATIO],
+           x.v[STAD_TUNE_PRE_FILTER_CAP], x.v[STAD_TUNE_DISP12_MAX_DIFF]);
     return best < first ? 0 : 1;
 }

@@ -41,8 +41,7 @@ static int flash_erase(void *user, uint32_t offset)
     return 0;
 }
 
-static const stad_flash flash = {flash_read, flash_program, flash_erase, NULL, {0, SECTOR, 2 * SECTOR},
-                                 SECTOR,     GRANULE};
+static const stad_flash flash = {flash_read, flash_program, flash_erase, NULL, {0, SECTOR, 2 * SECTOR}, SECTOR, GRANULE};
 
 static stad_setup setup_with_p2(int p2)
 {
@@ -83,7 +82,7 @@ int main(void)
         fresh += found.params.p2 == before + 1;
         other += found.params.p2 != before && found.params.p2 != before + 1;
     }
-    printf("%d saves cut short: %d times the set before, %d times the new one, %d times anything else\n",
-           old + fresh + other, old, fresh, other);
+    printf("%d saves cut short: %d times the set before, %d times the new one, %d times anything else\n", old + fresh + other,
+           old, fresh, other);
     return found.params.p2 > 190 && old > 0 && other == 0 ? 0 : 1;
 }

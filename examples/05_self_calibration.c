@@ -81,8 +81,7 @@ static void serve(void)
             const stad_image left = view(held[r.hold].left), right = view(held[r.hold].right);
             if (evaluations-- == 0)
                 return;
-            stad_calib_cost(&calib, stad_calib_evaluate(&calib, &r, &evaluator, &left, &right, calib_work,
-                                                        sizeof calib_work));
+            stad_calib_cost(&calib, stad_calib_evaluate(&calib, &r, &evaluator, &left, &right, calib_work, sizeof calib_work));
         } else {
             stored = *stad_calib_setup(&calib);
             stad_calib_saved(&calib, STAD_OK);
@@ -115,8 +114,7 @@ int main(int argc, char **argv)
         return 1;
     for (int i = 0; i < frames; i++) {
         memset(&now, 128 + i % 2, sizeof now); /* a camera with nothing before it */
-        if (argc > 3 &&
-            (!read_pgm(argv[3], i, "left", now.left) || !read_pgm(argv[3], i, "right", now.right)))
+        if (argc > 3 && (!read_pgm(argv[3], i, "left", now.left) || !read_pgm(argv[3], i, "right", now.right)))
             return 1;
         match_live();
         serve();

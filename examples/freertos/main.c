@@ -19,9 +19,9 @@ enum { WIDTH = 160, HEIGHT = 120, DISPARITIES = 32, BLOCK = 5, P2 = 800, CAP = 6
 
 /* -- the board's: a camera, and a held frame with its truth --------------------------------------------------------------- */
 
-void camera_wait_row(int y, uint8_t *left, uint8_t *right);                                 /* blocks until row y is in */
-void held_row(int y, uint8_t *left, uint8_t *right, int32_t *truth_q16, uint8_t *label);    /* of the tuning frame */
-void disparity_row(int y, const int16_t *disp_q4);                                          /* takes what was made */
+void camera_wait_row(int y, uint8_t *left, uint8_t *right);                              /* blocks until row y is in */
+void held_row(int y, uint8_t *left, uint8_t *right, int32_t *truth_q16, uint8_t *label); /* of the tuning frame */
+void disparity_row(int y, const int16_t *disp_q4);                                       /* takes what was made */
 
 /* -- shared: the parameters in use ----------------------------------------------------------------------------------------- */
 
@@ -64,8 +64,7 @@ static void camera_task(void *unused)
 }
 
 #define WORK_BYTES STAD_MATCH_BYTES(WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL)
-static const stad_geometry geometry = {WIDTH, HEIGHT, 1,  DISPARITIES,    BLOCK,
-                                       P2,    CAP,    STAD_MODE_SGBM, STAD_MEMORY_SMALL};
+static const stad_geometry geometry = {WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL};
 
 static void matcher_task(void *unused)
 {

@@ -15,8 +15,8 @@
 enum { WIDTH = 96, HEIGHT = 64, DISPARITIES = 16, MAX_BLOCK = 7, MAX_P2 = 2048, MAX_CAP = 63, EVALUATIONS = 20 };
 
 static const scene view = {WIDTH, HEIGHT, DISPARITIES, 12, 7};
-static const stad_geometry geometry = {WIDTH,  HEIGHT,  1,       DISPARITIES,   MAX_BLOCK,
-                                       MAX_P2, MAX_CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL};
+static const stad_geometry geometry = {WIDTH,          HEIGHT,           1, DISPARITIES, MAX_BLOCK, MAX_P2, MAX_CAP,
+                                       STAD_MODE_SGBM, STAD_MEMORY_SMALL};
 
 static stad_match matcher;
 static stad_tune tune;

@@ -49,8 +49,7 @@ static int32_t texture(const scene *s, int surface, int32_t x, int y)
     const uint32_t seed = s->seed + (uint32_t)surface * 0x51ed27u;
     const int32_t far_x = (x + 4096) % CELL, cell_x = (x + 4096) / CELL, far_y = y % CELL, cell_y = y / CELL;
     const int32_t top = random_at(seed, cell_x, cell_y) * (CELL - far_x) + random_at(seed, cell_x + 1, cell_y) * far_x;
-    const int32_t end =
-        random_at(seed, cell_x, cell_y + 1) * (CELL - far_x) + random_at(seed, cell_x + 1, cell_y + 1) * far_x;
+    const int32_t end = random_at(seed, cell_x, cell_y + 1) * (CELL - far_x) + random_at(seed, cell_x + 1, cell_y + 1) * far_x;
     const int32_t coarse = (top * (CELL - far_y) + end * far_y) / (CELL * CELL);
     return 40 + coarse / 2 + random_at(seed ^ 0xf17eu, x, y) * 3 / 16;
 }

@@ -105,8 +105,7 @@ static void cut_save(const saving *s, long at, enum sim_tear tear, int kept, int
     stad_flash flash = sim_flash(&sim);
     const stad_setup *new = &s->calib.active;
     char where[96];
-    snprintf(where, sizeof where, "cut at byte %ld, tear %d, state %s", at, (int)tear,
-             kept ? "kept" : "lost");
+    snprintf(where, sizeof where, "cut at byte %ld, tear %d, state %s", at, (int)tear, kept ? "kept" : "lost");
     calib = s->calib;
     sim = s->sim;
     sim_restart(&sim);
@@ -143,8 +142,7 @@ void test_calib_power_cut_in_any_byte_of_a_save_leaves_old_or_new(void)
         for (int saves = 0; saves < 3; saves++) {
             bring_to_save(&s, saves, back);
             for (int tear = 0; tear < TEAR_KINDS; tear++)
-                for (long at = 0; at < (tear ? SIM_SECTOR : s.bytes);
-                     at++, cuts += 2) /* only an erase tears */
+                for (long at = 0; at < (tear ? SIM_SECTOR : s.bytes); at++, cuts += 2) /* only an erase tears */
                     for (int kept = 0; kept < 2; kept++)
                         cut_save(&s, at, (enum sim_tear)tear, kept, found);
         }

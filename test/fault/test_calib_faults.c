@@ -188,8 +188,7 @@ void test_calib_wrong_focal_length_is_told(void)
 
 void test_calib_wrong_size_is_told(void)
 {
-    stad_image small = stad_image_packed(left_pix, W - 1, H, 1),
-               right = stad_image_packed(right_pix, W, H, 1);
+    stad_image small = stad_image_packed(left_pix, W - 1, H, 1), right = stad_image_packed(right_pix, W, H, 1);
     start();
     TEST_ASSERT_EQUAL(STAD_E_SIZE, stad_calib_frame(&calib, &small, &right, work, sizeof work));
     TEST_ASSERT_EQUAL(STAD_FAULT_SIZE, stad_calib_report_of(&calib)->fault);
@@ -201,7 +200,8 @@ void test_calib_wrong_size_is_told(void)
 /* On the tuning frame all that differs from the set in use gains, the more the better; on the other pose it loses. */
 static int32_t deceive(const stad_request *r)
 {
-    int away = abs(r->params.uniqueness_ratio - setup.params.uniqueness_ratio) + abs(r->params.block_size - setup.params.block_size);
+    int away =
+        abs(r->params.uniqueness_ratio - setup.params.uniqueness_ratio) + abs(r->params.block_size - setup.params.block_size);
     away = away < 30 ? away : 30;
     return (40 + (r->hold == 0 ? -away : away)) * (STAD_COST_ONE / 100);
 }

@@ -72,12 +72,10 @@ static void soak_turn(int flatters, int drifted)
             give();
         break;
     case STAD_WANT_MATCH:
-        stad_calib_cost(&calib,
-                        dice() % 50 == 0 ? STAD_COST_FAILED : told(&r, flatters) + (int32_t)(dice() % 20000));
+        stad_calib_cost(&calib, dice() % 50 == 0 ? STAD_COST_FAILED : told(&r, flatters) + (int32_t)(dice() % 20000));
         break;
     case STAD_WANT_SAVE:
-        stad_calib_saved(&calib, dice() % 10 == 0 ? STAD_E_CORRUPT
-                                                  : stad_store_save(&flash, stad_calib_setup(&calib)));
+        stad_calib_saved(&calib, dice() % 10 == 0 ? STAD_E_CORRUPT : stad_store_save(&flash, stad_calib_setup(&calib)));
         break;
     default:
         break;

@@ -29,8 +29,10 @@ void test_geometry_fields_outside_are_named(void)
     struct {
         int16_t width, height, channels, disparities, block, p2, cap;
         const char *name;
-    } bad[] = {{W, H, 1, 4, 3, 100, 63, "max_disparities"},    {W, H, 1, 20, 3, 100, 63, "max_disparities"},
-               {W, H, 1, 4096, 3, 100, 63, "max_disparities"}, {W, H, 1, 16, 3, 100, 13, "max_pre_filter_cap"},
+    } bad[] = {{W, H, 1, 4, 3, 100, 63, "max_disparities"},
+               {W, H, 1, 20, 3, 100, 63, "max_disparities"},
+               {W, H, 1, 4096, 3, 100, 63, "max_disparities"},
+               {W, H, 1, 16, 3, 100, 13, "max_pre_filter_cap"},
                {W, H, 1, 16, 3, 100, 64, "max_pre_filter_cap"}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         stad_geometry g = {bad[i].width, bad[i].height, bad[i].channels, bad[i].disparities, bad[i].block,

@@ -115,17 +115,19 @@ static stad_polygon square(int x0, int y0, int x1, int y1)
 void test_truth_arguments_outside_are_refused(void)
 {
     static stad_truth t;
-    const int bad[][5] = {{2049, H, 0, 16, 1}, {W, 15, 0, 16, 1},     {W, 2049, 0, 16, 1},  {W, H, -2049, 16, 1}, {W, H, 2049, 16, 1},
-                          {W, H, 0, 0, 1},     {W, H, 0, 2049, 1},    {W, H, 0, 16, -1},    {W, H, 0, 16, 17}};
+    const int bad[][5] = {{2049, H, 0, 16, 1}, {W, 15, 0, 16, 1},  {W, 2049, 0, 16, 1}, {W, H, -2049, 16, 1}, {W, H, 2049, 16, 1},
+                          {W, H, 0, 0, 1},     {W, H, 0, 2049, 1}, {W, H, 0, 16, -1},   {W, H, 0, 16, 17}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
         TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_truth_init(&t, bad[i][0], bad[i][1], bad[i][2], bad[i][3], bad[i][4]));
     TEST_ASSERT_EQUAL(STAD_OK, stad_truth_init(&t, W, H, 0, 16, 1));
     const stad_plane flat = {0, 0, 65536};
-    const stad_plane steep[] = {{65536, 0, 0}, {-65536, 0, 0}, {0, 65536, 0}, {0, -65536, 0}, {0, 0, 2048 << 16}, {0, 0, -(2048 << 16)}};
+    const stad_plane steep[] = {{65536, 0, 0},  {-65536, 0, 0},     {0, 65536, 0},
+                                {0, -65536, 0}, {0, 0, 2048 << 16}, {0, 0, -(2048 << 16)}};
     stad_polygon p = square(5, 5, 40, 15);
     for (size_t i = 0; i < sizeof steep / sizeof steep[0]; i++)
         TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_truth_add_plane(&t, &steep[i], &p));
-    const stad_polygon far[] = {square(-4097, 5, 40, 15), square(5, 5, W + 4097, 15), square(5, -4097, 40, 15), square(5, 5, 40, H + 4097)};
+    const stad_polygon far[] = {square(-4097, 5, 40, 15), square(5, 5, W + 4097, 15), square(5, -4097, 40, 15),
+                                square(5, 5, 40, H + 4097)};
     for (size_t i = 0; i < sizeof far / sizeof far[0]; i++)
         TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_truth_add_plane(&t, &flat, &far[i]));
     p.count = 2;
@@ -194,7 +196,8 @@ void test_truth_of_any_marks_is_refused_or_sound(void)
         }
         int side = 10 + dice[0] % 40, tilt = dice[1] % 64 - 32, skew = dice[2] % 64 - 32, d = dice[3] % 80;
         for (int i = 0; i < 4; i++) {
-            pairs[i] = pair_at(trial % 3 ? i : 4 + i % 2, 20 + (i == 1 || i == 2) * (60 + dice[4] % 160), 10 + (i >= 2) * (60 + dice[5] % 120), side);
+            pairs[i] = pair_at(trial % 3 ? i : 4 + i % 2, 20 + (i == 1 || i == 2) * (60 + dice[4] % 160),
+                               10 + (i >= 2) * (60 + dice[5] % 120), side);
             for (int k = 0; k < 4; k++) {
                 stad_corner *l = &pairs[i].left[k], *r = &pairs[i].right[k];
                 l->x_q8 += l->y_q8 * skew / 64;
@@ -205,7 +208,8 @@ void test_truth_of_any_marks_is_refused_or_sound(void)
         }
         stad_camera camera = {(dice[7] + 1) * (trial % 5 ? 64 : 1), dice[8] * 40, dice[9] * 40};
         TEST_ASSERT_EQUAL(STAD_OK, stad_truth_init(&t, 320, 240, dice[10] % 40 - 20, 16 + dice[11] % 100, trial % 3));
-        int status = stad_truth_from_target(&t, trial % 3 ? stad_target_relief() : stad_target_card(), pairs, 2 + trial % 3, &camera);
+        int status =
+            stad_truth_from_target(&t, trial % 3 ? stad_target_relief() : stad_target_card(), pairs, 2 + trial % 3, &camera);
         TEST_ASSERT_TRUE(status > 0 || (status < 0 && status >= STAD_E_RIG));
         sound += status > 0;
         for (int y = 0; status > 0 && y < 240; y += 16)
@@ -219,7 +223,8 @@ void test_truth_cameras_outside_are_refused(void)
     static stad_truth t;
     const stad_pair pairs[2] = {pair_at(0, 4, 4, 12), pair_at(1, 30, 4, 12)};
     const int32_t most = 1 << 20;
-    const stad_camera bad[] = {{16 * 256 - 1, 0, 0}, {most, 0, 0}, {200 * 256, most, 0}, {200 * 256, 0, most}, {200 * 256, -most, 0}, {200 * 256, 0, -most}};
+    const stad_camera bad[] = {{16 * 256 - 1, 0, 0}, {most, 0, 0},          {200 * 256, most, 0},
+                               {200 * 256, 0, most}, {200 * 256, -most, 0}, {200 * 256, 0, -most}};
     TEST_ASSERT_EQUAL(STAD_OK, stad_truth_init(&t, W, H, 0, 16, 1));
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
         TEST_ASSERT_EQUAL(STAD_E_PARAM, stad_truth_from_target(&t, stad_target_relief(), pairs, 2, &bad[i]));

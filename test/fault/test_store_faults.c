@@ -73,18 +73,7 @@ static int save(flash_sim *s, int number)
 
 /* -- histories: what the flash went through before the save under test ------------------------------------------- */
 
-enum history {
-    BLANK,
-    JUNK,
-    FACTORY_ONLY,
-    ONE_SAVE,
-    TWO_SAVES,
-    THREE_SAVES,
-    OLDER_ROTTEN,
-    NEWER_ROTTEN,
-    NUMBERS_WRAP,
-    HISTORIES
-};
+enum history { BLANK, JUNK, FACTORY_ONLY, ONE_SAVE, TWO_SAVES, THREE_SAVES, OLDER_ROTTEN, NEWER_ROTTEN, NUMBERS_WRAP, HISTORIES };
 
 static void put_record(flash_sim *s, int slot, int number, uint32_t sequence)
 {
@@ -122,8 +111,7 @@ static void expect_old_or_new(flash_sim *s, int before, int after, const char *w
     int now = loaded(s);
     if (now == before || now == after)
         return;
-    snprintf(why + strlen(why), sizeof why - strlen(why), " %s: %d, wanted %d or %d", when, now, before,
-             after);
+    snprintf(why + strlen(why), sizeof why - strlen(why), " %s: %d, wanted %d or %d", when, now, before, after);
     TEST_FAIL_MESSAGE(why);
 }
 
@@ -153,8 +141,7 @@ static long cut_everywhere(enum history h, uint32_t granule, enum sim_tear tear)
 {
     long cuts = 0;
     for (long cut = 0;; cut++) {
-        snprintf(why, sizeof why, "history %d granule %u tear %d cut %ld", (int)h, (unsigned)granule,
-                 (int)tear, cut);
+        snprintf(why, sizeof why, "history %d granule %u tear %d cut %ld", (int)h, (unsigned)granule, (int)tear, cut);
         prepare(&sim, h, granule, (uint32_t)(977 * cut + 13 * (long)h + 1));
         sim.tear = tear;
         int before = loaded(&sim);

@@ -54,12 +54,12 @@ static inline void fill(uint8_t *to, size_t n, const bytes *b, size_t key)
     }
 }
 
-#define expect(condition)                                                                     \
-    do {                                                                                      \
-        if (!(condition)) {                                                                   \
-            fprintf(stderr, "%s:%d: does not hold: %s\n", __FILE__, __LINE__, #condition);    \
-            abort();                                                                          \
-        }                                                                                     \
+#define expect(condition)                                                                  \
+    do {                                                                                   \
+        if (!(condition)) {                                                                \
+            fprintf(stderr, "%s:%d: does not hold: %s\n", __FILE__, __LINE__, #condition); \
+            abort();                                                                       \
+        }                                                                                  \
     } while (0)
 
 #endif

@@ -247,7 +247,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         expect(stad_setup_check(stad_calib_setup(&c)) == STAD_OK);
         expect(r->phase <= STAD_CALIB_COMPARE && r->evaluations <= config.budget + STAD_PRESETS + 4);
     }
-    for (int i = 0; frames < FRAMES && config.patience < 9 && config.probation_frames < 9 && i < TURNS; i++) { /* served to its end */
+    for (int i = 0; frames < FRAMES && config.patience < 9 && config.probation_frames < 9 && i < TURNS;
+         i++) { /* served to its end */
         frames += serve(&c, &config.geometry, &b);
         busy = stad_calib_report_of(&c)->phase != STAD_CALIB_IDLE;
         if (!busy) {

@@ -69,8 +69,8 @@ static void pull(machine *k, int all)
 {
     int16_t *row = subject_alloc((size_t)k->g.width * 2, 0, 5), *other = subject_alloc((size_t)k->g.width * 2, 0, 6);
     uint8_t *confidence = subject_alloc((size_t)k->g.width, 0, 7);
-    int status = all ? stad_match_pull_all(&k->m, row, all & 2 ? confidence : NULL, all & 4 ? other : NULL)
-                     : stad_match_pull(&k->m, row);
+    int status =
+        all ? stad_match_pull_all(&k->m, row, all & 2 ? confidence : NULL, all & 4 ? other : NULL) : stad_match_pull(&k->m, row);
     expect(status < k->g.height && (status >= 0 || status == STAD_AGAIN || status == STAD_E_STATE));
     expect(k->begun || status == STAD_E_STATE);
     expect(subject_guards_stand(row) && subject_guards_stand(other) && subject_guards_stand(confidence));

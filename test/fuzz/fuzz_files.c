@@ -42,7 +42,8 @@ static void read_pictures(bytes *b, const char *suffix)
         check(status, &f);
         if (status == TOOL_OK) {
             uint32_t sum = 0;
-            expect(p.width > 0 && p.height > 0 && (want != PICTURE_GREY || p.channels == 1) && (want != PICTURE_BGR || p.channels == 3));
+            expect(p.width > 0 && p.height > 0 && (want != PICTURE_GREY || p.channels == 1) &&
+                   (want != PICTURE_BGR || p.channels == 3));
             for (size_t i = 0; i < (size_t)p.width * (size_t)p.height * (size_t)p.channels; i++) {
                 sum += p.pix[i];
             }

@@ -20,8 +20,9 @@ static void drive(stad_match *m, const stad_geometry *g, const stad_params *p, b
     fill(right, line * h, b, 1);
     while (pulled < g->height && calls++ < 6 * g->height + 40) {
         int push = calls > 30 ? pushed < g->height && calls % 2 : next(b) % 2;
-        int status = push ? stad_match_push(m, left + (size_t)(pushed % g->height) * line, right + (size_t)(pushed % g->height) * line)
-                          : stad_match_pull(m, row);
+        int status =
+            push ? stad_match_push(m, left + (size_t)(pushed % g->height) * line, right + (size_t)(pushed % g->height) * line)
+                 : stad_match_pull(m, row);
         expect(status >= 0 || status == STAD_AGAIN || status == STAD_E_STATE);
         pushed += push && status == STAD_OK;
         if (!push && status >= 0) {

@@ -241,7 +241,8 @@ int case_last(kernel_case *k)
 int case_refine(kernel_case *k)
 {
     chance *c = &k->chance;
-    const int32_t n = k->size, count = chance_between(c, 1, 17), top = chance_draw(c) % 2 ? chance_between(c, 0, 40) : STAD_COST_MAX;
+    const int32_t n = k->size, count = chance_between(c, 1, 17),
+                  top = chance_draw(c) % 2 ? chance_between(c, 0, 40) : STAD_COST_MAX;
     int16_t *total = room_i16(c, count * n, top == STAD_COST_MAX ? INT16_MIN : 0, top);
     stad_best *best = room_take(c, (size_t)count * sizeof *best, 2);
     int16_t *mine = room_i16(c, count, 0, 0), *reference = room_twin(mine);

@@ -204,7 +204,8 @@ static const stad_best *draw_winners(chance *c, int32_t count)
     for (int32_t i = 0; i < count; i++) {
         cell[3 * i] = (int16_t)(i % stretch ? cell[3 * i - 3] : chance_between(c, 0, 40));
         if (chance_draw(c) % 2) /* a close rival */
-            cell[3 * i + 2] = (int16_t)least_i32(cell[3 * i + 1] + chance_between(c, 0, most_i32(cell[3 * i + 1], 0) / 4 + 1), STAD_COST_MAX);
+            cell[3 * i + 2] =
+                (int16_t)least_i32(cell[3 * i + 1] + chance_between(c, 0, most_i32(cell[3 * i + 1], 0) / 4 + 1), STAD_COST_MAX);
     }
     return (const stad_best *)(void *)cell;
 }
@@ -217,8 +218,20 @@ int case_select(kernel_case *k)
     const int16_t none = (int16_t)((min_disparity - 1) * 16);
     uint8_t *sure[2] = {NULL, NULL};
     int16_t *row[2][3];
-    stad_select_job job = {draw_winners(c, count), room_i16(c, count, -8, 700), x, count, width, min_disparity, uniqueness,
-                           chance_draw(c) % 4 == 0, NULL, NULL, NULL, NULL, 5, 7};
+    stad_select_job job = {draw_winners(c, count),
+                           room_i16(c, count, -8, 700),
+                           x,
+                           count,
+                           width,
+                           min_disparity,
+                           uniqueness,
+                           chance_draw(c) % 4 == 0,
+                           NULL,
+                           NULL,
+                           NULL,
+                           NULL,
+                           5,
+                           7};
     for (int i = 0; i < 3; i++) {
         row[0][i] = room_i16(c, width, i < 2 ? none : STAD_COST_MAX, i < 2 ? none : STAD_COST_MAX);
         row[1][i] = room_twin(row[0][i]);
@@ -227,8 +240,8 @@ int case_select(kernel_case *k)
         sure[0] = room_u8(c, width, 0, 0);
         sure[1] = room_twin(sure[0]);
     }
-    snprintf(k->text, sizeof k->text, "x %d count %d width %d min %d uniqueness %d 3way %d confidence %d", x, count, width, min_disparity,
-             uniqueness, job.floor_rule, sure[0] != NULL);
+    snprintf(k->text, sizeof k->text, "x %d count %d width %d min %d uniqueness %d 3way %d confidence %d", x, count, width,
+             min_disparity, uniqueness, job.floor_rule, sure[0] != NULL);
     stad_select_job jobs[2] = {job, job};
     for (int i = 0; i < 2; i++) {
         jobs[i].disp = row[i][0];
@@ -249,7 +262,8 @@ int case_check(kernel_case *k)
 {
     chance *c = &k->chance;
     const int32_t width = k->size, low = chance_draw(c) % 2 ? chance_between(c, -30, 30) : chance_between(c, -2047, 2007);
-    const int32_t most = chance_draw(c) % 8 ? chance_between(c, 1, 3) : chance_between(c, 1, 32767), range = chance_between(c, 1, 40);
+    const int32_t most = chance_draw(c) % 8 ? chance_between(c, 1, 3) : chance_between(c, 1, 32767),
+                  range = chance_between(c, 1, 40);
     const int32_t x0 = chance_between(c, 0, width), none = (low - 1) * 16;
     int16_t *votes = room_i16(c, width, low, low + range), *mine = room_i16(c, width, 16 * low, 16 * (low + range));
     for (int32_t x = 0; x < width; x++) {

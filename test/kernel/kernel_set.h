@@ -48,10 +48,26 @@ typedef struct kernel_set {
 /* A table whose every kernel has this suffix; path_sat and path_u8 are named, since few tiers have their own. The bound set alone has
  * refine, select and check of its own: no x86 tier but the narrowest has them. */
 #define KERNEL_SET(name, lanes, suffix, path_sat, path_u8) \
-    {name, lanes, stad_prefilter_row##suffix, stad_range_row##suffix, stad_cost_row_u8##suffix, stad_cost_row_u16##suffix, \
-     stad_box_add_row_u8##suffix, stad_box_add_row_u16##suffix, stad_block_row##suffix, \
-     stad_slide_row##suffix, stad_path_row##suffix, path_sat, path_u8, \
-     stad_gather_row##suffix, stad_best_row##suffix, stad_best_row_3way##suffix, stad_median_row##suffix, \
-     stad_last_row##suffix, stad_refine_row_c, stad_select_row_c, stad_check_row_c}
+    {name,                                                 \
+     lanes,                                                \
+     stad_prefilter_row##suffix,                           \
+     stad_range_row##suffix,                               \
+     stad_cost_row_u8##suffix,                             \
+     stad_cost_row_u16##suffix,                            \
+     stad_box_add_row_u8##suffix,                          \
+     stad_box_add_row_u16##suffix,                         \
+     stad_block_row##suffix,                               \
+     stad_slide_row##suffix,                               \
+     stad_path_row##suffix,                                \
+     path_sat,                                             \
+     path_u8,                                              \
+     stad_gather_row##suffix,                              \
+     stad_best_row##suffix,                                \
+     stad_best_row_3way##suffix,                           \
+     stad_median_row##suffix,                              \
+     stad_last_row##suffix,                                \
+     stad_refine_row_c,                                    \
+     stad_select_row_c,                                    \
+     stad_check_row_c}
 
 #endif

@@ -17,10 +17,27 @@ typedef void (*any)(void);
 
 static const kernel_set plain = KERNEL_SET("c", 8, _c, stad_path_row_sat_c, stad_path_row_u8_c);
 static const kernel_set sets[] = {
-    {"bound", 8, stad_prefilter_row, stad_range_row, stad_cost_row_u8, stad_cost_row_u16, stad_box_add_row_u8,
-     stad_box_add_row_u16, stad_block_row, stad_slide_row, stad_path_row, stad_path_row_sat,
-     stad_path_row_u8, stad_gather_row, stad_best_row, stad_best_row_3way, stad_median_row,
-     stad_last_row, stad_refine_row, stad_select_row, stad_check_row},
+    {"bound",
+     8,
+     stad_prefilter_row,
+     stad_range_row,
+     stad_cost_row_u8,
+     stad_cost_row_u16,
+     stad_box_add_row_u8,
+     stad_box_add_row_u16,
+     stad_block_row,
+     stad_slide_row,
+     stad_path_row,
+     stad_path_row_sat,
+     stad_path_row_u8,
+     stad_gather_row,
+     stad_best_row,
+     stad_best_row_3way,
+     stad_median_row,
+     stad_last_row,
+     stad_refine_row,
+     stad_select_row,
+     stad_check_row},
 #ifdef STAD_PORT_X86_H
     KERNEL_SET("sse41", 8, _sse41, stad_path_row_sat_c, stad_path_row_u8_c),
     KERNEL_SET("avx2", 16, _avx2, stad_path_row_sat_c, stad_path_row_u8_c),
@@ -66,8 +83,8 @@ static struct {
 
 static void on_fault(int signal_number)
 {
-    printf("FAIL: %s %s: STAD_SEED=%u size %d round %u: %s: read or wrote outside its buffers (signal %d)\n", set->name,
-           now.name, now.seed, now.k->size, now.round, now.k->text, signal_number);
+    printf("FAIL: %s %s: STAD_SEED=%u size %d round %u: %s: read or wrote outside its buffers (signal %d)\n", set->name, now.name,
+           now.seed, now.k->size, now.round, now.k->text, signal_number);
     fflush(stdout);
     _Exit(1);
 }
@@ -110,20 +127,20 @@ static void sweep(const char *name, any_case *run, int is_c, int32_t unit, int32
 static const int32_t wide_rows[] = {255, 256, 257, 640, 1281, 0};
 static const int32_t many_disparities[] = {120, 128, 136, 208, 224, 240, 248, 256, 264, 272, 288, 480, 512, 544, 0};
 
-#define ROW_TEST(kernel, reference) \
-    static void test_kernel_##kernel##_equals_c(void) \
-    { \
+#define ROW_TEST(kernel, reference)                                                               \
+    static void test_kernel_##kernel##_equals_c(void)                                             \
+    {                                                                                             \
         sweep(#kernel, case_##kernel, (any)set->kernel == (any)(reference), 1, REACH, wide_rows); \
     }
-#define DISPARITY_TEST(kernel, reference) \
-    static void test_kernel_##kernel##_equals_c(void) \
-    { \
+#define DISPARITY_TEST(kernel, reference)                                                                             \
+    static void test_kernel_##kernel##_equals_c(void)                                                                 \
+    {                                                                                                                 \
         sweep(#kernel, case_##kernel, (any)set->kernel == (any)(reference), set->lanes, REACH / 2, many_disparities); \
     }
 /* Costs are made in bytes: three vectors are twice as many disparities, and every multiple of 8 is allowed on all tiers. */
-#define COST_TEST(kernel, reference) \
-    static void test_kernel_##kernel##_equals_c(void) \
-    { \
+#define COST_TEST(kernel, reference)                                                                     \
+    static void test_kernel_##kernel##_equals_c(void)                                                    \
+    {                                                                                                    \
         sweep(#kernel, case_##kernel, (any)set->kernel == (any)(reference), 8, REACH, many_disparities); \
     }
 

@@ -32,17 +32,29 @@ static void prove_logs(void)
 
 static void prove_sums(void)
 {
-    stad_affine_sums s = {any64(0, 4095),          any64(-(1ll << 27), 1ll << 27), any64(-(1ll << 27), 1ll << 27),
-                          any64(-(1ll << 34), 1ll << 34), any64(0, 1ll << 42), any64(-(1ll << 42), 1ll << 42), any64(0, 1ll << 42),
-                          any64(-(1ll << 49), 1ll << 49), any64(-(1ll << 49), 1ll << 49)};
+    stad_affine_sums s = {any64(0, 4095),
+                          any64(-(1ll << 27), 1ll << 27),
+                          any64(-(1ll << 27), 1ll << 27),
+                          any64(-(1ll << 34), 1ll << 34),
+                          any64(0, 1ll << 42),
+                          any64(-(1ll << 42), 1ll << 42),
+                          any64(0, 1ll << 42),
+                          any64(-(1ll << 49), 1ll << 49),
+                          any64(-(1ll << 49), 1ll << 49)};
     stad_affine_add(&s, any(-32768, 32768), any(-32768, 32768), any(-(1 << 22), 1 << 22));
 }
 
 static void prove_fit(void)
 {
-    stad_affine_sums s = {any64(0, 4097),          any64(-(1ll << 27), 1ll << 27), any64(-(1ll << 27), 1ll << 27),
-                          any64(-(1ll << 34), 1ll << 34), any64(0, 1ll << 42), any64(-(1ll << 42), 1ll << 42), any64(0, 1ll << 42),
-                          any64(-(1ll << 49), 1ll << 49), any64(-(1ll << 49), 1ll << 49)};
+    stad_affine_sums s = {any64(0, 4097),
+                          any64(-(1ll << 27), 1ll << 27),
+                          any64(-(1ll << 27), 1ll << 27),
+                          any64(-(1ll << 34), 1ll << 34),
+                          any64(0, 1ll << 42),
+                          any64(-(1ll << 42), 1ll << 42),
+                          any64(0, 1ll << 42),
+                          any64(-(1ll << 49), 1ll << 49),
+                          any64(-(1ll << 49), 1ll << 49)};
     stad_affine fit;
     if (stad_affine_solve(&s, &fit))
         stad_affine_at_q8(&fit, any(-(1 << 20), 1 << 20), any(-(1 << 20), 1 << 20));

@@ -391,13 +391,27 @@ static void one_call(int call)
     const stad_image left = stad_image_packed(left_pix, WIDTH, HEIGHT, 1), right = stad_image_packed(right_pix, WIDTH, HEIGHT, 1);
     stad_request request;
     switch (call) {
-    case 0: stad_calib_counts(&c, &counts); break;
-    case 1: stad_calib_start(&c); break;
-    case 2: stad_calib_cancel(&c); break;
-    case 3: stad_calib_want(&c, &request); break;
-    case 4: stad_calib_frame(&c, any(0, 1) ? &left : 0, any(0, 1) ? &right : 0, &work, sizeof work); break;
-    case 5: stad_calib_cost(&c, any(INT32_MIN, INT32_MAX)); break;
-    default: stad_calib_saved(&c, any(-8, 8)); break;
+    case 0:
+        stad_calib_counts(&c, &counts);
+        break;
+    case 1:
+        stad_calib_start(&c);
+        break;
+    case 2:
+        stad_calib_cancel(&c);
+        break;
+    case 3:
+        stad_calib_want(&c, &request);
+        break;
+    case 4:
+        stad_calib_frame(&c, any(0, 1) ? &left : 0, any(0, 1) ? &right : 0, &work, sizeof work);
+        break;
+    case 5:
+        stad_calib_cost(&c, any(INT32_MIN, INT32_MAX));
+        break;
+    default:
+        stad_calib_saved(&c, any(-8, 8));
+        break;
     }
 }
 

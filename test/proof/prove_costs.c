@@ -25,8 +25,8 @@ static void prove_block_costs(void)
         out[i] = (uint16_t)any(0, 954);
     }
     any_i16(block, COLUMNS * D, -32768, 32767);
-    stad_box_sat_job job = {in,        out, hs, hs + D, COLUMNS, D, any(0, COLUMNS - 1), any(1, 16384), 1, any(0, 1), any(0, 1),
-                            any(0, 1), any(0, 1), any(0, 1)};
+    stad_box_sat_job job = {in, out,       hs,        hs + D,    COLUMNS,   D,        any(0, COLUMNS - 1), any(1, 16384),
+                            1,  any(0, 1), any(0, 1), any(0, 1), any(0, 1), any(0, 1)};
     stad_box_sat_row_c(&job, block);
 }
 

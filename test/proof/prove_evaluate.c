@@ -61,7 +61,8 @@ int stad_score_begin(stad_score *s, const stad_score_config *config)
     return any(-8, 0);
 }
 
-void stad_score_row(stad_score *s, int y, const int16_t *disp_q4_row, const int32_t *truth_q16_row, const uint8_t *label_row, int row_width)
+void stad_score_row(stad_score *s, int y, const int16_t *disp_q4_row, const int32_t *truth_q16_row, const uint8_t *label_row,
+                    int row_width)
 {
 }
 

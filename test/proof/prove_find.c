@@ -41,8 +41,13 @@ void stad_mark_runs_first(mark_work *w)
 
 void stad_mark_runs_row(mark_work *w, int32_t y)
 {
-    const mark_component c = {any(1, SIZE * SIZE), (int16_t)any(0, SIZE - 1), (int16_t)any(0, SIZE - 1), (int16_t)any(0, SIZE - 1),
-                              (int16_t)any(0, SIZE - 1), (int16_t)any(0, SIZE - 1), 0};
+    const mark_component c = {any(1, SIZE * SIZE),
+                              (int16_t)any(0, SIZE - 1),
+                              (int16_t)any(0, SIZE - 1),
+                              (int16_t)any(0, SIZE - 1),
+                              (int16_t)any(0, SIZE - 1),
+                              (int16_t)any(0, SIZE - 1),
+                              0};
     //@ assert 0 <= y < w->height;
     stad_mark_examine(w, &c);
 }

@@ -62,7 +62,8 @@ static void prove_views(int channels)
 {
     static uint8_t pix[2][SIZE * SIZE * 3];
     stad_calib_view view[2] = {{{0}, 0, 0}, {{0}, 0, 0}};
-    const stad_image left = stad_image_packed(pix[0], SIZE, SIZE, channels), right = stad_image_packed(pix[1], SIZE, any(0, SIZE), channels);
+    const stad_image left = stad_image_packed(pix[0], SIZE, SIZE, channels),
+                     right = stad_image_packed(pix[1], SIZE, any(0, SIZE), channels);
     any_u8(pix[0], sizeof pix[0]);
     any_u8(pix[1], sizeof pix[1]);
     c.config.geometry.width = c.config.geometry.height = SIZE;

@@ -32,7 +32,8 @@ static mark_work any_work(const stad_mark_config *config)
 static void prove_lines(void)
 {
     int32_t ux, uy;
-    mark_line a = {any_corner(), any(-16384, 16384), any(-16384, 16384)}, b = {any_corner(), any(-16384, 16384), any(-16384, 16384)};
+    mark_line a = {any_corner(), any(-16384, 16384), any(-16384, 16384)},
+              b = {any_corner(), any(-16384, 16384), any(-16384, 16384)};
     stad_corner at;
     stad_mark_unit_q14(any64(-(1ll << 62), 1ll << 62), any64(-(1ll << 62), 1ll << 62), &ux, &uy);
     stad_mark_line_distance_q8(&a, any(-REACH, REACH), any(-REACH, REACH));
@@ -45,8 +46,8 @@ static void prove_lines(void)
 static void prove_fit(void)
 {
     const int64_t sum = 1 << 29, squares = 1ll << 45;
-    const mark_moments m = {any_corner(), any64(0, 1 << 13), any64(-sum, sum), any64(-sum, sum), any64(0, squares), any64(-squares, squares),
-                            any64(0, squares)};
+    const mark_moments m = {any_corner(),      any64(0, 1 << 13),        any64(-sum, sum), any64(-sum, sum),
+                            any64(0, squares), any64(-squares, squares), any64(0, squares)};
     mark_line line;
     stad_mark_line_fit(&m, &line);
 }

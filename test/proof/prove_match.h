@@ -39,8 +39,8 @@ static void changes(void *p, long n)
 
 /* -- from pixels to block costs ---------------------------------------------------------------------------------------------- */
 
-void stad_prefilter_row_c(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels, int32_t cap,
-                          uint8_t *planes)
+void stad_prefilter_row_c(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
+                          int32_t cap, uint8_t *planes)
 {
     //@ assert 1 <= cap <= 32767;
     reads(above, (long)width * channels);
@@ -272,15 +272,24 @@ static void any_pixels(void)
 
 static stad_geometry geometry_of(const struct kind *k, int mode, int memory)
 {
-    const stad_geometry g = {WIDTH, k->height, k->channels, k->most_d, k->block, k->p2_to, (int16_t)(2 * k->half_cap_to + 1),
-                             (uint8_t)mode, (uint8_t)memory};
+    const stad_geometry g = {
+        WIDTH,         k->height,      k->channels, k->most_d, k->block, k->p2_to, (int16_t)(2 * k->half_cap_to + 1),
+        (uint8_t)mode, (uint8_t)memory};
     return g;
 }
 
 static stad_params params_of(const struct kind *k)
 {
-    stad_params p = {k->min_disparity, D, k->block, (int16_t)any(1, 99), (int16_t)any(k->p2_from, k->p2_to), (int16_t)any(1, 32767),
-                     (int16_t)(2 * any(k->half_cap_from, k->half_cap_to) + 1), (int16_t)any(0, 99), 0, any(0, 1000)};
+    stad_params p = {k->min_disparity,
+                     D,
+                     k->block,
+                     (int16_t)any(1, 99),
+                     (int16_t)any(k->p2_from, k->p2_to),
+                     (int16_t)any(1, 32767),
+                     (int16_t)(2 * any(k->half_cap_from, k->half_cap_to) + 1),
+                     (int16_t)any(0, 99),
+                     0,
+                     any(0, 1000)};
     return p;
 }
 

@@ -10,7 +10,16 @@
 #include "kernel/kernel.h"
 #include "proof/prove.h"
 
-enum { WIDTH = 24, D = 8, COLUMNS = 5, COUNT = 3, SLOTS = COUNT + 1, STRIDE = D + 1, LANES = 4, MOST = 3 * 954 + 2 * 954 * COLUMNS };
+enum {
+    WIDTH = 24,
+    D = 8,
+    COLUMNS = 5,
+    COUNT = 3,
+    SLOTS = COUNT + 1,
+    STRIDE = D + 1,
+    LANES = 4,
+    MOST = 3 * 954 + 2 * 954 * COLUMNS
+};
 
 static uint8_t left[3 * 6 * WIDTH], right[3 * 6 * WIDTH], bytes_in[COLUMNS * D], bytes_out[COLUMNS * D];
 static uint16_t words_in[COLUMNS * D], words_out[COLUMNS * D];
@@ -90,8 +99,20 @@ static void prove_selection(void)
     stad_best best[COLUMNS];
     int16_t fine[COLUMNS], disp[WIDTH], vote_disp[WIDTH], vote_cost[WIDTH];
     uint8_t confidence[WIDTH];
-    stad_select_job job = {best, fine, any(0, WIDTH - COLUMNS), any(0, COLUMNS), WIDTH, any(-2047, 2047 - D), any(0, 99), any(0, 1),
-                           disp, vote_disp, vote_cost, any(0, 1) ? confidence : 0, any(0, 1 << 30), any(0, 1 << 30)};
+    stad_select_job job = {best,
+                           fine,
+                           any(0, WIDTH - COLUMNS),
+                           any(0, COLUMNS),
+                           WIDTH,
+                           any(-2047, 2047 - D),
+                           any(0, 99),
+                           any(0, 1),
+                           disp,
+                           vote_disp,
+                           vote_cost,
+                           any(0, 1) ? confidence : 0,
+                           any(0, 1 << 30),
+                           any(0, 1 << 30)};
     for (int i = 0; i < COLUMNS; i++) {
         best[i].index = (int16_t)any(-1, D - 1);
         best[i].least = (int16_t)any(-32768, 32767);

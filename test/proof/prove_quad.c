@@ -12,7 +12,8 @@ enum { POINTS = 24, SIZE = 2048, REACH = SIZE * 256 };
 
 static mark_line any_line(int32_t reach)
 {
-    const mark_line line = {{any(-reach / 8, reach + reach / 8), any(-reach / 8, reach + reach / 8)}, any(-16384, 16384), any(-16384, 16384)};
+    const mark_line line = {
+        {any(-reach / 8, reach + reach / 8), any(-reach / 8, reach + reach / 8)}, any(-16384, 16384), any(-16384, 16384)};
     return line;
 }
 

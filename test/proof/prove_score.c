@@ -36,8 +36,20 @@ static stad_score_config any_config(void)
 static void any_counts(stad_score *s, int32_t most)
 {
     const long long squares = most < 1 << 20 ? (long long)most << 42 : 1ll << 62;
-    stad_score_counts n = {most, most, any(0, most), any(0, most), any(0, 1) * most, any(0, 1) * most, any(0, most), any(0, most),
-                           any64(0, squares), any64(0, (long long)most << 29), most, any(0, 1) * most, any(0, most), any(0, most),
+    stad_score_counts n = {most,
+                           most,
+                           any(0, most),
+                           any(0, most),
+                           any(0, 1) * most,
+                           any(0, 1) * most,
+                           any(0, most),
+                           any(0, most),
+                           any64(0, squares),
+                           any64(0, (long long)most << 29),
+                           most,
+                           any(0, 1) * most,
+                           any(0, most),
+                           any(0, most),
                            any64(0, (long long)most * 80 * 255)};
     s->counts = n;
     for (int i = 0; i < 32; i++)

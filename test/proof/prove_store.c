@@ -64,9 +64,13 @@ int main(void)
     stad_setup_unpack(cut, (uint32_t)any(0, STAD_SETUP_BYTES - 1), &found, &sequence);
     stad_setup_pack(&setup, (uint32_t)any64(0, UINT32_MAX), bytes);
     for (int shift = 0; shift < 9; shift++) { /* every granule that is allowed, and two that are not */
-        stad_flash f = {read_any, any(0, 1) ? program_any : 0, erase_any, 0,
+        stad_flash f = {read_any,
+                        any(0, 1) ? program_any : 0,
+                        erase_any,
+                        0,
                         {(uint32_t)any64(0, UINT32_MAX), (uint32_t)any64(0, UINT32_MAX), (uint32_t)any64(0, UINT32_MAX)},
-                        (uint32_t)any64(0, UINT32_MAX), shift < 8 ? 1u << shift : 3u};
+                        (uint32_t)any64(0, UINT32_MAX),
+                        shift < 8 ? 1u << shift : 3u};
         stad_store_load(&f, &found);
         stad_store_load_slot(&f, any(INT32_MIN, INT32_MAX), &found);
         stad_store_save(&f, &setup);

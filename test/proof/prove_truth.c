@@ -21,8 +21,8 @@ static void prove_layer(int count)
         where.p[i].x_q8 = any(INT32_MIN, INT32_MAX);
         where.p[i].y_q8 = any(INT32_MIN, INT32_MAX);
     }
-    if (stad_truth_init(&t, any(INT32_MIN, INT32_MAX), any(INT32_MIN, INT32_MAX), any(INT32_MIN, INT32_MAX), any(INT32_MIN, INT32_MAX),
-                        any(INT32_MIN, INT32_MAX)) != STAD_OK)
+    if (stad_truth_init(&t, any(INT32_MIN, INT32_MAX), any(INT32_MIN, INT32_MAX), any(INT32_MIN, INT32_MAX),
+                        any(INT32_MIN, INT32_MAX), any(INT32_MIN, INT32_MAX)) != STAD_OK)
         return;
     stad_truth_add_plane(&t, &plane, &where);
     stad_truth_add_mask(&t, &where);
@@ -42,7 +42,8 @@ static void prove_box(void)
         t.layer[0].where.p[i].y_q8 = any(-(1 << 20), 3 << 19);
     }
     stad_truth_box(&t);
-    const stad_box box = {(int16_t)any(-32768, 32767), (int16_t)any(-32768, 32767), (int16_t)any(-32768, 32767), (int16_t)any(-32768, 32767)};
+    const stad_box box = {(int16_t)any(-32768, 32767), (int16_t)any(-32768, 32767), (int16_t)any(-32768, 32767),
+                          (int16_t)any(-32768, 32767)};
     stad_truth_crop(&t, &box);
 }
 

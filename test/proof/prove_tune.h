@@ -50,7 +50,7 @@ static void any_search(int stereo, int method)
 {
     static const stad_tune_axis widest[STAD_TUNE_DIMS] = {
         {-32768, 32767, 32, STAD_TUNE_LINEAR, -1}, {-1024, 1024, 1, STAD_TUNE_LINEAR, 1}, {1, 32767, 1, STAD_TUNE_ODD, 1},
-        {1, 32767, 1, STAD_TUNE_LOG2, -1},        {2, 32000, 7, STAD_TUNE_AREA, 1},      {1, 32767, 1, STAD_TUNE_POWER, 1}};
+        {1, 32767, 1, STAD_TUNE_LOG2, -1},         {2, 32000, 7, STAD_TUNE_AREA, 1},      {1, 32767, 1, STAD_TUNE_POWER, 1}};
     stad_tune_config_stereo(&t.config, STAD_TUNE_FOR_BAD);
     for (int i = 0; i < STAD_TUNE_DIMS && !stereo; i++)
         t.config.axis[i] = widest[i];

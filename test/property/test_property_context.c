@@ -26,8 +26,8 @@ static void make(fixture *f, uint32_t index, int mode, int memory)
     memcpy(f->expected, f->got, (size_t)f->c.width * (size_t)f->c.height * 2);
 }
 
-#define FOR_EACH_PLAN(mode, memory)                                                                                              \
-    for (int mode = 0; mode < 4; mode++)                                                                                         \
+#define FOR_EACH_PLAN(mode, memory)      \
+    for (int mode = 0; mode < 4; mode++) \
         for (int memory = 0; memory < 2; memory++)
 
 static void test_property_workspace_every_offset_is_refused_or_right(void)

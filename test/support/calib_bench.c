@@ -53,9 +53,8 @@ static void render(enum shot which, const target_pose *pose, int drifted)
 
 void render_all(void)
 {
-    const target_pose poses[3] = {{{40, 8, 400}, 0.45, 0.10, 0.02},
-                                  {{10, -14, 390}, 0.40, -0.14, -0.04},
-                                  {{50, 0, 410}, 0.5, 0.0, 0.03}};
+    const target_pose poses[3] = {
+        {{40, 8, 400}, 0.45, 0.10, 0.02}, {{10, -14, 390}, 0.40, -0.14, -0.04}, {{50, 0, 410}, 0.5, 0.0, 0.03}};
     render(NEAR_POSE, &poses[0], 0);
     render(FAR_POSE, &poses[1], 0);
     render(THIRD_POSE, &poses[2], 0);

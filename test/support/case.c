@@ -172,8 +172,8 @@ void case_text(const test_case *c, char *text, size_t size)
              "--pre-filter-cap %d --uniqueness-ratio %d --speckle-window-size %d --speckle-range %d",
              case_mode_name(c->mode), c->memory ? "small" : "fast", c->width, c->height, c->channels, scene_name(c->view.kind),
              (unsigned long)c->view.seed, c->view.x0, c->view.y0, c->view.disp_min, c->view.disp_count,
-             (unsigned long)c->interleave, p->min_disparity, p->num_disparities, p->block_size, p->p1, p->p2,
-             p->disp12_max_diff, p->pre_filter_cap, p->uniqueness_ratio, (int)p->speckle_window_size, (int)p->speckle_range);
+             (unsigned long)c->interleave, p->min_disparity, p->num_disparities, p->block_size, p->p1, p->p2, p->disp12_max_diff,
+             p->pre_filter_cap, p->uniqueness_ratio, (int)p->speckle_window_size, (int)p->speckle_range);
 }
 
 void case_render(const test_case *c, uint8_t *left, uint8_t *right)

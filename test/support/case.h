@@ -16,8 +16,8 @@ extern "C" {
 typedef struct test_case {
     scene view;
     int width, height, channels;
-    int mode;   /* enum stad_mode */
-    int memory; /* enum stad_memory */
+    int mode;            /* enum stad_mode */
+    int memory;          /* enum stad_memory */
     uint32_t interleave; /* seed of the order of pushes and pulls */
     stad_params params;  /* as a user of OpenCV may give them: even, zero or negative values included */
 } test_case;

@@ -130,8 +130,7 @@ static inline void sim_init(flash_sim *s, uint32_t granule, uint32_t seed)
 
 static inline stad_flash sim_flash(flash_sim *s)
 {
-    stad_flash f = {sim_read,   sim_program, sim_erase, s, {0, SIM_SECTOR, 2 * SIM_SECTOR},
-                    SIM_SECTOR, s->granule};
+    stad_flash f = {sim_read, sim_program, sim_erase, s, {0, SIM_SECTOR, 2 * SIM_SECTOR}, SIM_SECTOR, s->granule};
     return f;
 }
 

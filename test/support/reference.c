@@ -28,9 +28,8 @@ typedef struct ref {
 } ref;
 
 static const char *const mend_names[MEND_COUNT] = {
-    "saturation",      "border-intensity", "hh4-last-rows", "3way-ties",  "3way-lanes", "3way-uniqueness", "unset-right",
-    "check-off",       "median",           "3way-block",    "subpixel",   "3way-shift", "cost-order",      "path-order",
-    "cost-gate"};
+    "saturation", "border-intensity", "hh4-last-rows", "3way-ties",  "3way-lanes", "3way-uniqueness", "unset-right", "check-off",
+    "median",     "3way-block",       "subpixel",      "3way-shift", "cost-order", "path-order",      "cost-gate"};
 
 const char *reference_mend_name(int i)
 {
@@ -509,8 +508,8 @@ int reference_match(const stad_params *raw, int mode, unsigned mends, const uint
     return reference_match_extras(raw, mode, mends, left, right, width, height, channels, disp_q4, &none);
 }
 
-int reference_match_extras(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right,
-                           int width, int height, int channels, int16_t *disp_q4, reference_extras *extras)
+int reference_match_extras(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right, int width,
+                           int height, int channels, int16_t *disp_q4, reference_extras *extras)
 {
     ref R = {.w = width, .h = height, .cn = channels, .mode = mode, .mend = mends, .I = left, .J = right, .x = extras};
     size_t n, px = (size_t)width * (size_t)height;

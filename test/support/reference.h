@@ -47,8 +47,8 @@ typedef struct reference_extras {
 /* disp_q4: width * height values. 0, or -1 when memory runs out or no column can have a disparity. */
 int reference_match(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right, int width,
                     int height, int channels, int16_t *disp_q4);
-int reference_match_extras(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right,
-                           int width, int height, int channels, int16_t *disp_q4, reference_extras *extras);
+int reference_match_extras(const stad_params *raw, int mode, unsigned mends, const uint8_t *left, const uint8_t *right, int width,
+                           int height, int channels, int16_t *disp_q4, reference_extras *extras);
 
 #ifdef __cplusplus
 }

@@ -27,8 +27,8 @@ enum scene_kind {
 typedef struct scene {
     uint32_t seed;
     int kind;
-    int x0, y0;      /* origin of the crop */
-    int disp_min;    /* disparities shown: disp_min .. disp_min + disp_count - 1 */
+    int x0, y0;   /* origin of the crop */
+    int disp_min; /* disparities shown: disp_min .. disp_min + disp_count - 1 */
     int disp_count;
 } scene;
 

@@ -164,8 +164,8 @@ int subject_run(const test_case *c, int form, const uint8_t *left, const uint8_t
         *why = stad_match_culprit(&m);
     }
     memcpy(disp_q4, disp, px * 2);
-    if (status >= 0 && !(subject_guards_stand(work) && subject_guards_stand(disp) &&
-                         (!speckle || subject_guards_stand(speckle)))) {
+    if (status >= 0 &&
+        !(subject_guards_stand(work) && subject_guards_stand(disp) && (!speckle || subject_guards_stand(speckle)))) {
         *why = "bytes outside a buffer were written";
         status = SUBJECT_GUARD;
     }

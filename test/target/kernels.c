@@ -23,25 +23,14 @@ typedef struct check {
 static const check *checks(int *count)
 {
     static check all[19];
-    const check here[] = {CHECK(prefilter_row, case_prefilter),
-                          CHECK(range_row, case_range),
-                          CHECK(cost_row_u8, case_cost_u8),
-                          CHECK(cost_row_u16, case_cost_u16),
-                          CHECK(box_add_row_u8, case_box_add_u8),
-                          CHECK(box_add_row_u16, case_box_add_u16),
-                          CHECK(block_row, case_block),
-                          CHECK(slide_row, case_slide),
-                          CHECK(path_row, case_path),
-                          CHECK(path_row_sat, case_path_sat),
-                          CHECK(path_row_u8, case_path_u8),
-                          CHECK(gather_row, case_gather),
-                          CHECK(best_row, case_best),
-                          CHECK(best_row_3way, case_best_3way),
-                          CHECK(refine_row, case_refine),
-                          CHECK(select_row, case_select),
-                          CHECK(check_row, case_check),
-                          CHECK(median_row, case_median),
-                          CHECK(box_sat_row, case_box_sat)};
+    const check here[] = {
+        CHECK(prefilter_row, case_prefilter), CHECK(range_row, case_range),           CHECK(cost_row_u8, case_cost_u8),
+        CHECK(cost_row_u16, case_cost_u16),   CHECK(box_add_row_u8, case_box_add_u8), CHECK(box_add_row_u16, case_box_add_u16),
+        CHECK(block_row, case_block),         CHECK(slide_row, case_slide),           CHECK(path_row, case_path),
+        CHECK(path_row_sat, case_path_sat),   CHECK(path_row_u8, case_path_u8),       CHECK(gather_row, case_gather),
+        CHECK(best_row, case_best),           CHECK(best_row_3way, case_best_3way),   CHECK(refine_row, case_refine),
+        CHECK(select_row, case_select),       CHECK(check_row, case_check),           CHECK(median_row, case_median),
+        CHECK(box_sat_row, case_box_sat)};
     *count = (int)(sizeof here / sizeof here[0]);
     memcpy(all, here, sizeof here);
     return all;

@@ -30,7 +30,7 @@ static stad_path_job path_job(int32_t p2_top, int32_t block_top)
 {
     stad_path_job job = {words_a, mine.i16 + GUARD, 0, 0, 0, 0, 0, 0, 0};
     job.disparities = draw() % 3 == 0 ? 32 : between(1, DISPARITIES / 8) * 8; /* which some ports have a kernel for */
-    job.stride = job.disparities + (draw() % 2 ? 16 : 1);                      /* as the plans have it */
+    job.stride = job.disparities + (draw() % 2 ? 16 : 1);                     /* as the plans have it */
     job.count = between(1, 9);
     job.step = draw() % 2 ? 1 : -1;
     job.p2 = between(2, p2_top);

@@ -11,8 +11,7 @@ int case_prefilter(void)
     const uint8_t *row = bytes_a;
     fill_u8(bytes_a, 3 * WIDTH * 3, 255);
     stad_prefilter_row(row, row + width * channels, row + 2 * width * channels, width, channels, cap, mine.u8 + GUARD);
-    stad_prefilter_row_c(row, row + width * channels, row + 2 * width * channels, width, channels, cap,
-                         reference.u8 + GUARD);
+    stad_prefilter_row_c(row, row + width * channels, row + 2 * width * channels, width, channels, cap, reference.u8 + GUARD);
     return same();
 }
 
@@ -101,8 +100,8 @@ int case_block(void)
 {
     static int16_t hs[DISPARITIES];
     const int wide = (int)(draw() % 2);
-    const stad_block_job job = {wide ? (void *)words_a : bytes_a, wide ? (void *)words_b : bytes_b, hs, between(1, COLUMNS - 1),
-                                between(1, DISPARITIES / 8) * 8, between(0, wide ? 3 : 5), wide};
+    const stad_block_job job = {wide ? (void *)words_a : bytes_a, wide ? (void *)words_b : bytes_b, hs,  between(1, COLUMNS - 1),
+                                between(1, DISPARITIES / 8) * 8,  between(0, wide ? 3 : 5),         wide};
     const int32_t n = job.columns * job.disparities;
     fill_u8(bytes_a, n, 255);
     fill_u8(bytes_b, n, 255);
@@ -122,8 +121,19 @@ int case_box_sat(void)
     static int16_t hs[2][DISPARITIES];
     const int32_t columns = between(6, COLUMNS - 1), d = between(1, DISPARITIES / 8) * 8, radius = between(0, 5);
     const int wide = (int)(draw() % 2);
-    stad_box_sat_job job = {wide ? (void *)words_a : bytes_a, wide ? (void *)words_b : bytes_b, hs[0], hs[1], columns, d, radius,
-                            between(1, 40), wide, draw() % 4 == 0, (int)(draw() % 2), (int)(draw() % 2), (int)(draw() % 2),
+    stad_box_sat_job job = {wide ? (void *)words_a : bytes_a,
+                            wide ? (void *)words_b : bytes_b,
+                            hs[0],
+                            hs[1],
+                            columns,
+                            d,
+                            radius,
+                            between(1, 40),
+                            wide,
+                            draw() % 4 == 0,
+                            (int)(draw() % 2),
+                            (int)(draw() % 2),
+                            (int)(draw() % 2),
                             (int)(draw() % 2)};
     fill_u8(bytes_a, columns * d, 255);
     fill_u8(bytes_b, columns * d, 255);
@@ -139,8 +149,7 @@ int case_box_sat(void)
 
 int case_slide(void)
 {
-    stad_slide_job job = {words_a, between(8, COLUMNS), between(1, DISPARITIES / 8) * 8, between(0, 5), between(2, 9000),
-                          0, 0};
+    stad_slide_job job = {words_a, between(8, COLUMNS), between(1, DISPARITIES / 8) * 8, between(0, 5), between(2, 9000), 0, 0};
     job.x = between(0, job.columns - 1);
     job.count = between(1, job.columns - job.x < 16 ? job.columns - job.x : 16);
     fill_i16(words_a, job.columns * job.disparities, 0, 23000 / (2 * job.radius + 1));
@@ -215,9 +224,22 @@ int case_select(void)
     static stad_best best[16];
     static int16_t fine[16], votes[2][2][WIDTH];
     static uint8_t confidence[2][WIDTH];
-    const int32_t width = between(16, WIDTH), count = between(1, 16), low = between(-20, 20), top = draw() % 2 ? between(1, 20) * 1600 : 9;
-    stad_select_job job = {best, fine, between(0, width - count), count, width, low, between(0, 99), draw() % 4 == 0,
-                           mine.i16 + GUARD, votes[0][0], votes[0][1], draw() % 4 == 0 ? confidence[0] : NULL, 3, 5};
+    const int32_t width = between(16, WIDTH), count = between(1, 16), low = between(-20, 20),
+                  top = draw() % 2 ? between(1, 20) * 1600 : 9;
+    stad_select_job job = {best,
+                           fine,
+                           between(0, width - count),
+                           count,
+                           width,
+                           low,
+                           between(0, 99),
+                           draw() % 4 == 0,
+                           mine.i16 + GUARD,
+                           votes[0][0],
+                           votes[0][1],
+                           draw() % 4 == 0 ? confidence[0] : NULL,
+                           3,
+                           5};
     stad_select_job job_c = job;
     int32_t i;
     for (i = 0; i < count; i++) {

@@ -37,8 +37,7 @@ void tearDown(void)
 static void hold_poses(void)
 {
     const stad_plane plane = {0, 0, 20 * 65536};
-    const stad_polygon where = {
-        4, {{80 * 256, 20 * 256}, {300 * 256, 20 * 256}, {300 * 256, 220 * 256}, {80 * 256, 220 * 256}}};
+    const stad_polygon where = {4, {{80 * 256, 20 * 256}, {300 * 256, 20 * 256}, {300 * 256, 220 * 256}, {80 * 256, 220 * 256}}};
     for (int i = 0; i < 2; i++) {
         stad_truth_init(&calib.pose[i].truth, 320, 240, 0, 64, 1);
         TEST_ASSERT_EQUAL(STAD_OK, stad_truth_add_plane(&calib.pose[i].truth, &plane, &where));

@@ -96,8 +96,7 @@ static int32_t away_from(int value, int best, int unit)
 /* A bowl with its floor at uniqueness 6, cap 31, 20 points deep. */
 static int32_t bowl(const stad_request *r)
 {
-    return POINTS(10) + away_from(r->params.uniqueness_ratio, 6, 2) +
-           away_from(r->params.pre_filter_cap, 31, 8);
+    return POINTS(10) + away_from(r->params.uniqueness_ratio, 6, 2) + away_from(r->params.pre_filter_cap, 31, 8);
 }
 
 static int32_t bowl_on_tuning_pose_only(const stad_request *r)
@@ -192,8 +191,7 @@ void test_calib_budget_is_never_exceeded(void)
         config.budget = (int16_t)budget;
         int matches = run_trial(bowl);
         snprintf(what, sizeof what, "budget %d", budget);
-        TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(budget > 11 ? budget : 11,
-                                          stad_calib_report_of(&calib)->evaluations, what);
+        TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(budget > 11 ? budget : 11, stad_calib_report_of(&calib)->evaluations, what);
         TEST_ASSERT_GREATER_OR_EQUAL_MESSAGE(stad_calib_report_of(&calib)->evaluations, matches, what);
     }
 }

@@ -174,11 +174,11 @@ static int refused(void)
     return stad_calib_init(&calib, &config, &setup) == STAD_E_PARAM;
 }
 
-#define REFUSES(object, field, value)                                                                        \
-    do {                                                                                                     \
-        setUp();                                                                                             \
-        object.field = value;                                                                                \
-        TEST_ASSERT_TRUE_MESSAGE(refused(), #field " = " #value);                                            \
+#define REFUSES(object, field, value)                             \
+    do {                                                          \
+        setUp();                                                  \
+        object.field = value;                                     \
+        TEST_ASSERT_TRUE_MESSAGE(refused(), #field " = " #value); \
     } while (0)
 
 void test_calib_config_out_of_range_is_refused(void)

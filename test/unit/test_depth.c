@@ -24,12 +24,12 @@ static uint16_t depth_of(uint32_t focal_baseline_q4, int16_t offset_q4, int16_t 
 /* f * B = 1000 px mm: 16000 in sixteenths. */
 static void test_depth_divides_and_rounds_half_up(void)
 {
-    TEST_ASSERT_EQUAL_UINT16(1000, depth_of(16000, 0, 16));  /* 1 px */
-    TEST_ASSERT_EQUAL_UINT16(100, depth_of(16000, 0, 160));  /* 10 px */
-    TEST_ASSERT_EQUAL_UINT16(333, depth_of(16000, 0, 48));   /* 333.33 */
-    TEST_ASSERT_EQUAL_UINT16(667, depth_of(16000, 0, 24));   /* 666.67 */
-    TEST_ASSERT_EQUAL_UINT16(3, depth_of(10, 0, 4));         /* 2.5 */
-    TEST_ASSERT_EQUAL_UINT16(0, depth_of(1, 0, 32767));      /* nearer than half a millimetre */
+    TEST_ASSERT_EQUAL_UINT16(1000, depth_of(16000, 0, 16)); /* 1 px */
+    TEST_ASSERT_EQUAL_UINT16(100, depth_of(16000, 0, 160)); /* 10 px */
+    TEST_ASSERT_EQUAL_UINT16(333, depth_of(16000, 0, 48));  /* 333.33 */
+    TEST_ASSERT_EQUAL_UINT16(667, depth_of(16000, 0, 24));  /* 666.67 */
+    TEST_ASSERT_EQUAL_UINT16(3, depth_of(10, 0, 4));        /* 2.5 */
+    TEST_ASSERT_EQUAL_UINT16(0, depth_of(1, 0, 32767));     /* nearer than half a millimetre */
 }
 
 static void test_depth_offset_moves_infinity(void)

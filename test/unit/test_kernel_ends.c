@@ -52,7 +52,8 @@ static void test_kernel_cost_of_three_small_channels_is_one_in_bytes_and_words(v
 /* Lanes in bytes keep what enters the next step; the sums are those of lanes in words. */
 static void test_kernel_path_of_two_fresh_lanes_sums_alike_in_bytes_and_words(void)
 {
-    static int16_t cells[LANES][SLOTS * STRIDE + 16], least[LANES][SLOTS], block[WIDTH * D], total[WIDTH * D], total_u8[WIDTH * D];
+    static int16_t cells[LANES][SLOTS * STRIDE + 16], least[LANES][SLOTS], block[WIDTH * D], total[WIDTH * D],
+        total_u8[WIDTH * D];
     static uint8_t bytes[LANES][SLOTS * STRIDE + 16];
     stad_path_job job = {block, total, WIDTH, D, STRIDE, 1, 10, 90, 1};
     stad_lane lanes[LANES];

@@ -126,8 +126,8 @@ static void test_match_bytes_planned_are_touched(void)
                     }
                 }
             }
-            snprintf(message, sizeof message, "mode %d memory %d: %lu of %lu bytes touched", mode, memory,
-                     (unsigned long)touched, (unsigned long)b.bytes);
+            snprintf(message, sizeof message, "mode %d memory %d: %lu of %lu bytes touched", mode, memory, (unsigned long)touched,
+                     (unsigned long)b.bytes);
             TEST_MESSAGE(message);
             TEST_ASSERT_TRUE_MESSAGE(touched * 10 >= b.bytes * 9, message);
             free(first);

@@ -203,9 +203,9 @@ static void negative_schedule(stad_monitor_config *c)
 
 void test_monitor_config_out_of_range_is_refused(void)
 {
-    void (*const spoils[])(stad_monitor_config *) = {
-        one_learn_frame, long_learning, negative_cooldown, zero_slack, zero_threshold,   zero_clip,
-        no_follow,       far_follow,    zero_floor,        high_floor, negative_schedule};
+    void (*const spoils[])(stad_monitor_config *) = {one_learn_frame, long_learning, negative_cooldown, zero_slack,
+                                                     zero_threshold,  zero_clip,     no_follow,         far_follow,
+                                                     zero_floor,      high_floor,    negative_schedule};
     for (size_t i = 0; i < sizeof spoils / sizeof spoils[0]; i++)
         TEST_ASSERT_TRUE_MESSAGE(refused(spoils[i]), "config accepted");
 }

@@ -32,8 +32,8 @@ static int ideal_pairs(stad_pair *pairs, int w, int h, double a, double b, doubl
 
 static void test_rig_ideal_drift_recovered(void)
 {
-    static const double drifts[][3] = {{0, 0, 0}, {0.5, 0, 0}, {-4, 0, 0}, {0, 0.0175, 0}, {0, -0.005, 0}, {0, 0, 0.004},
-                                       {0, 0, -0.01}, {2, 0.01, -0.004}, {-1.5, -0.008, 0.006}};
+    static const double drifts[][3] = {{0, 0, 0},     {0.5, 0, 0},   {-4, 0, 0},        {0, 0.0175, 0},       {0, -0.005, 0},
+                                       {0, 0, 0.004}, {0, 0, -0.01}, {2, 0.01, -0.004}, {-1.5, -0.008, 0.006}};
     for (unsigned i = 0; i < sizeof drifts / sizeof drifts[0]; i++) {
         stad_pair pairs[8];
         stad_rig rig;

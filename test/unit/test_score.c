@@ -42,8 +42,7 @@ static void feed(const int16_t *disp, const int32_t *truth, const uint8_t *label
  *   visible: right by 0, right by exactly 1 px, wrong by 1/65536 more than 1 px, wrong by 4 px, missing
  *   occluded: right, wrong, missing;  ignored: wrong, missing, no truth */
 static const int16_t mixed_disp[] = {80, 96, 96, 144, NONE_Q4, 80, 160, NONE_Q4, 160, NONE_Q4, 80};
-static const int32_t mixed_truth[] = {PX(5), PX(5), PX(5) - 1, PX(5), PX(5),          PX(5),
-                                      PX(5), PX(5), PX(5),     PX(5), STAD_TRUTH_NONE};
+static const int32_t mixed_truth[] = {PX(5), PX(5), PX(5) - 1, PX(5), PX(5), PX(5), PX(5), PX(5), PX(5), PX(5), STAD_TRUTH_NONE};
 static const uint8_t mixed_label[] = {VIS, VIS, VIS, VIS, VIS, OCC, OCC, OCC, IGN, IGN, VIS};
 
 static void feed_mixed(int cost)
@@ -73,8 +72,7 @@ static void test_score_mixed_row_costs_by_hand(void)
     feed_mixed(STAD_SCORE_BAD);
     TEST_ASSERT_EQUAL_INT32((3 * STAD_COST_ONE + 2) / 5, stad_score_end(&score)); /* (2 + 1) / 5 */
     feed_mixed(STAD_SCORE_CHOW);
-    TEST_ASSERT_EQUAL_INT32((7 * STAD_COST_ONE + 8) / 16,
-                            stad_score_end(&score)); /* (2*2 + 2*1 + 1) / (2*8) */
+    TEST_ASSERT_EQUAL_INT32((7 * STAD_COST_ONE + 8) / 16, stad_score_end(&score)); /* (2*2 + 2*1 + 1) / (2*8) */
     feed_mixed(STAD_SCORE_D1);
     TEST_ASSERT_EQUAL_INT32((2 * STAD_COST_ONE + 2) / 5, stad_score_end(&score)); /* (1 + 1) / 5 */
     feed_mixed(STAD_SCORE_MISSING);

@@ -80,8 +80,7 @@ static void test_label_no_truth_is_ignored(void)
     expect_labels(truth, 2, "--");
 }
 
-static void blind_score(stad_score *s, int cost, const int16_t *disp, const uint8_t *left,
-                        const uint8_t *right, int n)
+static void blind_score(stad_score *s, int cost, const int16_t *disp, const uint8_t *left, const uint8_t *right, int n)
 {
     stad_score_config c;
     stad_score_config_init(&c, cost, 0, 2);
@@ -136,8 +135,7 @@ static void test_score_blind_missing_costs_half(void)
         disp[i] = -16;
     blind_score(&s, STAD_SCORE_PHOTO, disp, step_row, step_row, 12);
     TEST_ASSERT_EQUAL_INT32(STAD_COST_ONE / 2, stad_score_end(&s));
-    TEST_ASSERT_EQUAL_INT32(STAD_COST_ONE * 3 / 2,
-                            stad_score_cost_of(&s, STAD_SCORE_BLIND)); /* 1 missing + 1/2 */
+    TEST_ASSERT_EQUAL_INT32(STAD_COST_ONE * 3 / 2, stad_score_cost_of(&s, STAD_SCORE_BLIND)); /* 1 missing + 1/2 */
     TEST_ASSERT_EQUAL_INT32(0, stad_score_cost_of(&s, STAD_SCORE_ENTROPY));
 }
 

@@ -33,8 +33,7 @@ void test_store_crc32_of_check_string_is_the_published_one(void)
 void test_store_record_bytes_are_pinned(void)
 {
     static const uint8_t head[] = {'S', 'T', 'A', 'D', 1, 0, 60, 0, 4, 3, 2, 1, 0x40, 1, 0xf0, 0, 0, 1, 2, 1};
-    static const uint8_t fields[] = {0xfe, 0xff, 64, 0, 3, 0, 72, 0, 0x20, 1, 1, 0,
-                                     63,   0,    10, 0, 0, 0, 0,  0, 0,    0, 0, 0};
+    static const uint8_t fields[] = {0xfe, 0xff, 64, 0, 3, 0, 72, 0, 0x20, 1, 1, 0, 63, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     static const uint8_t rig[] = {0xff, 0xff, 0xff, 0xff, 0, 0, 8, 0, 0, 0, 0xf0, 0xff};
     uint8_t bytes[STAD_SETUP_BYTES];
     setup.origin = STAD_ORIGIN_TUNED;

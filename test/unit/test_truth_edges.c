@@ -156,8 +156,7 @@ static void test_truth_beyond_the_right_border_is_hidden(void)
     static int32_t row[W];
     static uint8_t label[W];
     const stad_plane plane = {0, 0, -6 * 65536};
-    const stad_polygon right = {
-        4, {{280 * 256, 50 * 256}, {319 * 256, 50 * 256}, {319 * 256, 90 * 256}, {280 * 256, 90 * 256}}};
+    const stad_polygon right = {4, {{280 * 256, 50 * 256}, {319 * 256, 50 * 256}, {319 * 256, 90 * 256}, {280 * 256, 90 * 256}}};
     TEST_ASSERT_EQUAL(STAD_OK, stad_truth_init(&truth, W, H, -4, 16, 0));
     TEST_ASSERT_EQUAL(STAD_OK, stad_truth_add_plane(&truth, &plane, &right));
     TEST_ASSERT_EQUAL(STAD_OK, stad_truth_row(&truth, 70, W, row, label));

@@ -32,8 +32,7 @@ static void test_tune_bowl_reaches_floor_in_sixty(void)
 {
     config.budget = 60;
     run_search(&tune, &config, &sample_start, bowl);
-    TEST_ASSERT_LESS_THAN_INT32(40000 + 400,
-                                best_cost(&tune)); /* the floor is 40000 and up to 63 of noise; 1 percent */
+    TEST_ASSERT_LESS_THAN_INT32(40000 + 400, best_cost(&tune)); /* the floor is 40000 and up to 63 of noise; 1 percent */
 }
 
 static void test_tune_every_method_improves_bowl(void)
@@ -42,8 +41,7 @@ static void test_tune_every_method_improves_bowl(void)
         config.method = (uint8_t)method;
         config.budget = 150;
         run_search(&tune, &config, &sample_start, bowl);
-        TEST_ASSERT_LESS_THAN_INT32_MESSAGE(bowl(&sample_start) * 6 / 10, best_cost(&tune),
-                                            "a method did not get far");
+        TEST_ASSERT_LESS_THAN_INT32_MESSAGE(bowl(&sample_start) * 6 / 10, best_cost(&tune), "a method did not get far");
     }
 }
 
@@ -51,7 +49,7 @@ static void test_tune_every_method_improves_bowl(void)
 static int32_t rosenbrock(const stad_point *p)
 {
     const int64_t x = p->v[0], y = p->v[1];
-    const int64_t valley = (y * 1024 - x * x) / 64; /* in 1/2^14, below 2^18 */
+    const int64_t valley = (y * 1024 - x * x) / 64;                                  /* in 1/2^14, below 2^18 */
     const int64_t cost = 25 * valley * valley / 1024 + (1024 - x) * (1024 - x) / 16; /* in 1/65536 */
     return (int32_t)(cost < 1 << 30 ? cost : 1 << 30);
 }

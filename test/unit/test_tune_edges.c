@@ -43,8 +43,7 @@ static int32_t least_penalties(const stad_point *x)
 
 static int32_t steep(const stad_point *x)
 {
-    return (int32_t)(INT32_MAX - 1 -
-                     (int32_t)x->v[3] * 10000000); /* costs far above one, down as uniqueness goes up */
+    return (int32_t)(INT32_MAX - 1 - (int32_t)x->v[3] * 10000000); /* costs far above one, down as uniqueness goes up */
 }
 
 static uint32_t next_noise(void)

@@ -27,7 +27,8 @@ static int32_t best_value(int i)
 /* Lower with every doubling of disp12, and towards a uniqueness of 20. */
 static int32_t doublings(const stad_point *x)
 {
-    return 100000 - 10000 * stad_log2_q16((uint32_t)x->v[STAD_TUNE_DISP12_MAX_DIFF]) / 65536 + 10 * abs(x->v[STAD_TUNE_UNIQUENESS_RATIO] - 20);
+    return 100000 - 10000 * stad_log2_q16((uint32_t)x->v[STAD_TUNE_DISP12_MAX_DIFF]) / 65536 +
+           10 * abs(x->v[STAD_TUNE_UNIQUENESS_RATIO] - 20);
 }
 
 static void test_tune_poll_runs_along_powers_as_far_as_it_pays(void)
@@ -162,7 +163,10 @@ static void test_tune_far_linear_ends_do_not_overflow(void)
 {
     const stad_tune_axis far = {-STAD_TUNE_UNITS, STAD_TUNE_UNITS, 1, STAD_TUNE_LINEAR, 1};
     const stad_point start = {{-STAD_TUNE_UNITS, -8190, 3, 10, 63, 1}};
-    const stad_point ladder[] = {{{8191, 8192, 3, 10, 63, 1}}, {{-8192, -8191, 3, 10, 63, 1}}, {{8190, 8192, 5, 10, 63, 1}}, {{-8192, 8192, 3, 10, 63, 1}}};
+    const stad_point ladder[] = {{{8191, 8192, 3, 10, 63, 1}},
+                                 {{-8192, -8191, 3, 10, 63, 1}},
+                                 {{8190, 8192, 5, 10, 63, 1}},
+                                 {{-8192, 8192, 3, 10, 63, 1}}};
     config.axis[STAD_TUNE_P1] = config.axis[STAD_TUNE_P2] = far;
     config.free_mask = 3;
     memcpy(config.ladder, ladder, sizeof ladder);

@@ -27,8 +27,7 @@ static int32_t bowl(const stad_point *x)
     const int64_t c = stad_log2_q16((uint32_t)x->v[4]) - stad_log2_q16(31);
     const int64_t block = (x->v[2] - 5) / 2;
     const int64_t d = stad_log2_q16((uint32_t)x->v[5]) / 65536 - 1;
-    const int64_t bends =
-        3 * square_q16(a) + 2 * square_q16(b) + square_q16(a - b) + square_q16(u) + square_q16(c) / 2;
+    const int64_t bends = 3 * square_q16(a) + 2 * square_q16(b) + square_q16(a - b) + square_q16(u) + square_q16(c) / 2;
     uint32_t jag = 2166136261u;
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
         jag = (jag ^ (uint16_t)x->v[i]) * 16777619u;

@@ -32,8 +32,16 @@ void bridge_params(uint32_t seed, uint32_t index, int mode, int *params)
 {
     test_case c = at(seed, index, mode);
     const stad_params *p = &c.params;
-    int all[10] = {p->min_disparity, p->num_disparities, p->block_size, p->p1, p->p2, p->disp12_max_diff,
-                   p->pre_filter_cap, p->uniqueness_ratio, (int)p->speckle_window_size, (int)p->speckle_range};
+    int all[10] = {p->min_disparity,
+                   p->num_disparities,
+                   p->block_size,
+                   p->p1,
+                   p->p2,
+                   p->disp12_max_diff,
+                   p->pre_filter_cap,
+                   p->uniqueness_ratio,
+                   (int)p->speckle_window_size,
+                   (int)p->speckle_range};
     memcpy(params, all, sizeof all);
 }
 

@@ -19,16 +19,15 @@ const char *calib_phase_name(int phase)
 
 const char *calib_outcome_name(int outcome)
 {
-    static const char *const names[] = {"none",       "sound",       "adopted",  "corrected",
-                                        "kept",       "rolled back", "no marks", "no pose",
-                                        "rig failed", "fault",       "cancelled"};
+    static const char *const names[] = {"none",     "sound",   "adopted",    "corrected", "kept",     "rolled back",
+                                        "no marks", "no pose", "rig failed", "fault",     "cancelled"};
     return NAME_OF(names, outcome);
 }
 
 const char *calib_fault_name(int fault)
 {
-    static const char *const names[] = {"none",    "late",  "black", "saturated", "flat", "frozen", "swapped",
-                                        "marks",   "range", "rig",   "size",      "camera", "moving", "same"};
+    static const char *const names[] = {"none",  "late",  "black", "saturated", "flat",   "frozen", "swapped",
+                                        "marks", "range", "rig",   "size",      "camera", "moving", "same"};
     return NAME_OF(names, fault);
 }
 

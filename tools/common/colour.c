@@ -52,11 +52,10 @@ void colour_error(enum colour_error_kind kind, double error_in_thresholds, uint8
 {
     double v = error_in_thresholds, worse = (v - 1) / 15; /* full red at 16 thresholds */
     worse = worse < 0 ? 0 : worse > 1 ? 1 : worse;
-    const uint8_t colour[4][3] = {
-        [ERROR_NO_TRUTH] = {58, 58, 58},
-        [ERROR_MISSING] = {150, 60, 200},
-        [ERROR_RIGHT] = {byte_of(0.05 + 0.25 * v), byte_of(0.16 + 0.35 * v), byte_of(0.36 + 0.3 * v)},
-        [ERROR_WRONG] = {byte_of(1 - 0.25 * worse), byte_of(0.85 - 0.8 * worse), byte_of(0.15)}};
+    const uint8_t colour[4][3] = {[ERROR_NO_TRUTH] = {58, 58, 58},
+                                  [ERROR_MISSING] = {150, 60, 200},
+                                  [ERROR_RIGHT] = {byte_of(0.05 + 0.25 * v), byte_of(0.16 + 0.35 * v), byte_of(0.36 + 0.3 * v)},
+                                  [ERROR_WRONG] = {byte_of(1 - 0.25 * worse), byte_of(0.85 - 0.8 * worse), byte_of(0.15)}};
     for (int c = 0; c < 3; c++)
         rgb[c] = colour[kind][c];
 }

@@ -38,10 +38,9 @@ int disparity_check_path(const char *path, int min_disparity, int num_disparitie
     if (!png && !tool_has_suffix(path, ".npy") && !tool_has_suffix(path, ".pfm"))
         return tool_fail_set(f, TOOL_USAGE, "%s: a disparity map is written as .npy, .pfm or .png", path);
     if (png && (min_disparity < 0 || min_disparity + num_disparities > 256))
-        return tool_fail_set(
-            f, TOOL_USAGE,
-            "%s: a .png holds disparities of 0..255 px only, %d..%d were asked for; write .npy or .pfm", path,
-            min_disparity, min_disparity + num_disparities - 1);
+        return tool_fail_set(f, TOOL_USAGE,
+                             "%s: a .png holds disparities of 0..255 px only, %d..%d were asked for; write .npy or .pfm", path,
+                             min_disparity, min_disparity + num_disparities - 1);
     return tool_out_check(path, f);
 }
 
@@ -66,8 +65,7 @@ static int write_png(const disparity *d, const char *path, tool_fail *f)
     for (size_t i = 0; i < count(d) && status == TOOL_OK; i++) {
         int v = d->q4[i] <= d->none_q4 ? 0 : d->q4[i] ? d->q4[i] * 16 : 1;
         if (v < 0 || v > 65535)
-            status = tool_fail_set(f, TOOL_USAGE,
-                                   "%s: a .png cannot hold a disparity of %g px; write .npy or .pfm", path,
+            status = tool_fail_set(f, TOOL_USAGE, "%s: a .png cannot hold a disparity of %g px; write .npy or .pfm", path,
                                    d->q4[i] / 16.0);
         q8[i] = (uint16_t)v;
     }
@@ -118,8 +116,7 @@ static int read_png(disparity *d, const char *path, int min_disparity, tool_fail
     if (status)
         return status;
     if (bits != 16)
-        status =
-            tool_fail_set(f, TOOL_FILE, "%s: a disparity map as .png has 16 bits, this has %d", path, bits);
+        status = tool_fail_set(f, TOOL_FILE, "%s: a disparity map as .png has 16 bits, this has %d", path, bits);
     else
         status = disparity_alloc(d, width, height, min_disparity, f);
     for (size_t i = 0; status == TOOL_OK && i < count(d); i++)

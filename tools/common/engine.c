@@ -7,9 +7,8 @@
 
 stad_geometry engine_geometry(const stad_params *p, int mode, int memory, int width, int height, int channels)
 {
-    stad_geometry g = {(int16_t)width,     (int16_t)height, (int16_t)channels,
-                       p->num_disparities, p->block_size,   p->p2,
-                       p->pre_filter_cap,  (uint8_t)mode,   (uint8_t)memory};
+    stad_geometry g = {(int16_t)width, (int16_t)height,   (int16_t)channels, p->num_disparities, p->block_size,
+                       p->p2,          p->pre_filter_cap, (uint8_t)mode,     (uint8_t)memory};
     return g;
 }
 
@@ -25,8 +24,7 @@ int engine_open(engine *e, const stad_geometry *g, tool_fail *f)
     const char *culprit = NULL;
     memset(e, 0, sizeof *e);
     if (stad_geometry_check(g, &culprit) != STAD_OK)
-        return tool_fail_set(f, TOOL_USAGE, "%s is outside what a matcher can be built for",
-                             culprit ? culprit : "the geometry");
+        return tool_fail_set(f, TOOL_USAGE, "%s is outside what a matcher can be built for", culprit ? culprit : "the geometry");
     e->geometry = *g;
     e->work_bytes = stad_match_bytes(g);
     e->speckle_bytes = STAD_SPECKLE_BYTES(g->width, g->height);
@@ -34,8 +32,7 @@ int engine_open(engine *e, const stad_geometry *g, tool_fail *f)
     e->speckle = aligned(e->speckle_bytes);
     if (!e->work || !e->speckle) {
         engine_close(e);
-        return tool_fail_set(f, TOOL_FILE, "not enough memory: the matcher needs %zu bytes",
-                             stad_match_bytes(g));
+        return tool_fail_set(f, TOOL_FILE, "not enough memory: the matcher needs %zu bytes", stad_match_bytes(g));
     }
     int status = stad_match_init(&e->match, g, e->work, e->work_bytes);
     if (status == STAD_OK)
@@ -117,20 +114,19 @@ int engine_run(engine *e, const stad_params *p, const picture *left, const pictu
     int code = known ? stad_match_again(&e->match, p, known) : stad_match_begin(&e->match, p);
     if (code != STAD_OK) {
         const char *culprit = stad_match_culprit(&e->match);
-        return tool_fail_set(f, TOOL_USAGE, "the matcher refuses %s: %s",
-                             culprit ? culprit : "the parameters", stad_status_name(code));
+        return tool_fail_set(f, TOOL_USAGE, "the matcher refuses %s: %s", culprit ? culprit : "the parameters",
+                             stad_status_name(code));
     }
     code = pump(e, known ? NULL : left, known ? NULL : right, d, extras);
     if (code >= 0 && p->speckle_window_size > 0)
-        code = stad_speckle_filter(d->q4, d->width, d->width, d->height, d->none_q4, p->speckle_window_size,
-                                   speckle_diff(p), e->speckle, e->speckle_bytes);
+        code = stad_speckle_filter(d->q4, d->width, d->width, d->height, d->none_q4, p->speckle_window_size, speckle_diff(p),
+                                   e->speckle, e->speckle_bytes);
     if (code < 0)
         return tool_fail_set(f, TOOL_FILE, "the matcher stopped: %s", stad_status_name(code));
     return TOOL_OK;
 }
 
-int engine_read_pair(picture *left, picture *right, const char *left_path, const char *right_path, int color,
-                     tool_fail *f)
+int engine_read_pair(picture *left, picture *right, const char *left_path, const char *right_path, int color, tool_fail *f)
 {
     enum picture_want want = color ? PICTURE_BGR : PICTURE_GREY;
     memset(right, 0, sizeof *right);
@@ -138,8 +134,8 @@ int engine_read_pair(picture *left, picture *right, const char *left_path, const
     if (status == TOOL_OK)
         status = picture_read(right, right_path, want, f);
     if (status == TOOL_OK && (left->width != right->width || left->height != right->height))
-        status = tool_fail_set(f, TOOL_FILE, "the images differ in size: %s is %d x %d, %s is %d x %d",
-                               left_path, left->width, left->height, right_path, right->width, right->height);
+        status = tool_fail_set(f, TOOL_FILE, "the images differ in size: %s is %d x %d, %s is %d x %d", left_path, left->width,
+                               left->height, right_path, right->width, right->height);
     if (status) {
         picture_free(left);
         picture_free(right);

@@ -28,8 +28,7 @@ typedef struct engine_extras {
 } engine_extras;
 
 /* The geometry that just holds these parameters. */
-stad_geometry engine_geometry(const stad_params *p, int mode, int memory, int width, int height,
-                              int channels);
+stad_geometry engine_geometry(const stad_params *p, int mode, int memory, int width, int height, int channels);
 
 /* Takes the memory. The geometry is refused (TOOL_USAGE) with the field's name when the library refuses it. */
 int engine_open(engine *e, const stad_geometry *g, tool_fail *f);
@@ -44,8 +43,7 @@ int engine_run(engine *e, const stad_params *p, const picture *left, const pictu
                const engine_extras *extras, tool_fail *f);
 
 /* Two pictures of the same size, or a message that names both files. */
-int engine_read_pair(picture *left, picture *right, const char *left_path, const char *right_path, int color,
-                     tool_fail *f);
+int engine_read_pair(picture *left, picture *right, const char *left_path, const char *right_path, int color, tool_fail *f);
 
 #ifdef __cplusplus
 }

@@ -52,8 +52,8 @@ float grid_number(const uint8_t *at, enum grid_kind kind, int big_endian)
 int grid_alloc(grid *g, long width, long height, const char *path, tool_fail *f)
 {
     if (width < 1 || height < 1 || width > PICTURE_SIDE_MAX || height > PICTURE_SIDE_MAX)
-        return tool_fail_set(f, TOOL_FILE, "%s: %ld x %ld numbers; each side must lie in 1..%d", path, width,
-                             height, PICTURE_SIDE_MAX);
+        return tool_fail_set(f, TOOL_FILE, "%s: %ld x %ld numbers; each side must lie in 1..%d", path, width, height,
+                             PICTURE_SIDE_MAX);
     g->width = (int)width;
     g->height = (int)height;
     g->v = malloc((size_t)width * (size_t)height * sizeof *g->v);

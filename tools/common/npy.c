@@ -130,8 +130,7 @@ int grid_read_npy(grid *g, const char *path, tool_fail *f)
 static void write_head(FILE *to, int width, int height)
 {
     char dict[128];
-    int n = snprintf(dict, sizeof dict, "{'descr': '<i2', 'fortran_order': False, 'shape': (%d, %d), }",
-                     height, width);
+    int n = snprintf(dict, sizeof dict, "{'descr': '<i2', 'fortran_order': False, 'shape': (%d, %d), }", height, width);
     int length = (10 + n + 1 + 63) / 64 * 64 - 10;
     fwrite(npy_magic, 1, sizeof npy_magic, to);
     fputc(1, to);

@@ -67,8 +67,7 @@ int npz_first(const uint8_t *file, size_t size, uint8_t **npy, size_t *n, const 
     int encrypted = file[6] & 1;
     if (encrypted || start > size || (method != ZIP_STORED && method != ZIP_DEFLATED))
         return tool_fail_set(f, TOOL_FILE, "%s: bad .npz: not an archive that NumPy writes", path);
-    int ok = method == ZIP_STORED ? copy(file + start, size - start, npy, n)
-                                  : unpack(file + start, size - start, npy, n);
+    int ok = method == ZIP_STORED ? copy(file + start, size - start, npy, n) : unpack(file + start, size - start, npy, n);
     if (ok)
         return TOOL_OK;
     free(*npy);

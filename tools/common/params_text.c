@@ -15,20 +15,18 @@ typedef struct field_info {
 } field_info;
 
 static const field_info fields[FIELD_COUNT] = {
-    {"min_disparity", "min-disparity", "-2047 or more, and at most 2047 with num_disparities added",
-     INT16_MIN, INT16_MAX},
-    {"num_disparities", "num-disparities", "a positive multiple of 16 (of 8 will do but in 3way)", INT16_MIN,
-     INT16_MAX},
+    {"min_disparity", "min-disparity", "-2047 or more, and at most 2047 with num_disparities added", INT16_MIN, INT16_MAX},
+    {"num_disparities", "num-disparities", "a positive multiple of 16 (of 8 will do but in 3way)", INT16_MIN, INT16_MAX},
     {"block_size", "block-size", "odd and at least 1", INT16_MIN, INT16_MAX},
     {"p1", "p1", "in 1..32766", INT16_MIN, INT16_MAX},
     {"p2", "p2", "above p1 and at most 32767", INT16_MIN, INT16_MAX},
     {"disp12_max_diff", "disp12-max-diff", "at least 1", INT16_MIN, INT16_MAX},
     {"pre_filter_cap", "pre-filter-cap", "odd, at least 15", INT16_MIN, INT16_MAX},
     {"uniqueness_ratio", "uniqueness-ratio", "in 0..99", INT16_MIN, INT16_MAX},
-    {"speckle_window_size", "speckle-window-size",
-     "0 (off) or more: the largest component to remove, in pixels", INT32_MIN, INT32_MAX},
-    {"speckle_range", "speckle-range",
-     "in 0..134217727 pixels of disparity, because 16 times it must fit 32 bits", INT32_MIN, INT32_MAX},
+    {"speckle_window_size", "speckle-window-size", "0 (off) or more: the largest component to remove, in pixels", INT32_MIN,
+     INT32_MAX},
+    {"speckle_range", "speckle-range", "in 0..134217727 pixels of disparity, because 16 times it must fit 32 bits", INT32_MIN,
+     INT32_MAX},
 };
 
 static const char *const modes[4] = {"sgbm", "hh", "3way", "hh4"};
@@ -53,16 +51,9 @@ int params_field_find(const char *name)
 
 long params_get(const stad_params *p, int field)
 {
-    const long v[FIELD_COUNT] = {p->min_disparity,
-                                 p->num_disparities,
-                                 p->block_size,
-                                 p->p1,
-                                 p->p2,
-                                 p->disp12_max_diff,
-                                 p->pre_filter_cap,
-                                 p->uniqueness_ratio,
-                                 p->speckle_window_size,
-                                 p->speckle_range};
+    const long v[FIELD_COUNT] = {
+        p->min_disparity,  p->num_disparities,  p->block_size,          p->p1,           p->p2, p->disp12_max_diff,
+        p->pre_filter_cap, p->uniqueness_ratio, p->speckle_window_size, p->speckle_range};
     return v[field];
 }
 
@@ -102,11 +93,10 @@ int params_some_set(params_some *s, int field, const char *text, tool_fail *f)
     const field_info *i = &fields[field];
     long v;
     if (!params_number(text, &v))
-        return tool_fail_set(f, TOOL_USAGE, "--%s %s: not a whole number (%s is %s)", i->option, text,
-                             i->name, i->domain);
+        return tool_fail_set(f, TOOL_USAGE, "--%s %s: not a whole number (%s is %s)", i->option, text, i->name, i->domain);
     if (!params_fits(field, v))
-        return tool_fail_set(f, TOOL_USAGE, "--%s %s: outside %ld..%ld (%s is %s)", i->option, text, i->least,
-                             i->most, i->name, i->domain);
+        return tool_fail_set(f, TOOL_USAGE, "--%s %s: outside %ld..%ld (%s is %s)", i->option, text, i->least, i->most, i->name,
+                             i->domain);
     s->value[field] = v;
     s->given |= 1u << field;
     return TOOL_OK;
@@ -126,8 +116,7 @@ void params_some_merge(params_some *under, const params_some *over)
 
 void params_from_some(stad_params *p, const params_some *s, int width, int channels)
 {
-    int num = s->given >> FIELD_NUM_DISPARITIES & 1 ? (int)s->value[FIELD_NUM_DISPARITIES]
-                                                    : (width / 8 + 15) / 16 * 16;
+    int num = s->given >> FIELD_NUM_DISPARITIES & 1 ? (int)s->value[FIELD_NUM_DISPARITIES] : (width / 8 + 15) / 16 * 16;
     int block = s->given >> FIELD_BLOCK_SIZE & 1 ? (int)s->value[FIELD_BLOCK_SIZE] : 3;
     stad_params_sample(p, num, block, channels);
     for (int i = 0; i < FIELD_COUNT; i++)
@@ -173,13 +162,11 @@ static int clash(char *text, size_t room, const stad_params *p, int field, int w
     if (field == FIELD_BLOCK_SIZE || min < -2047)
         return 0;
     if (end > 2047)
-        return snprintf(text, room,
-                        "min_disparity %d + num_disparities %d is %d; 2047 is the most that 16 bits hold",
-                        min, num, end);
+        return snprintf(text, room, "min_disparity %d + num_disparities %d is %d; 2047 is the most that 16 bits hold", min, num,
+                        end);
     if (columns < 1)
-        return snprintf(text, room,
-                        "min_disparity %d + num_disparities %d leaves no column of a %d pixel wide image",
-                        min, num, width);
+        return snprintf(text, room, "min_disparity %d + num_disparities %d leaves no column of a %d pixel wide image", min, num,
+                        width);
     return 0;
 }
 
@@ -200,6 +187,5 @@ int params_check_text(const stad_params *p, const params_some *from, int mode, i
         return tool_fail_set(f, TOOL_USAGE, "%s: %s", what, why);
     if (is == becomes || (field == FIELD_P1 && is > 0)) /* OpenCV keeps a p1 that leaves no p2 above it */
         return tool_fail_set(f, TOOL_USAGE, "%s: must be %s", what, fields[field].domain);
-    return tool_fail_set(f, TOOL_USAGE, "%s: must be %s; OpenCV would silently make it %ld", what,
-                         fields[field].domain, becomes);
+    return tool_fail_set(f, TOOL_USAGE, "%s: must be %s; OpenCV would silently make it %ld", what, fields[field].domain, becomes);
 }

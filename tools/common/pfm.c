@@ -45,8 +45,7 @@ static int read_body(grid *g, const uint8_t *file, size_t size, const char *path
     for (int y = 0; y < g->height; y++) {
         const uint8_t *row = file + body + (size_t)(g->height - 1 - y) * (size_t)g->width * 4;
         for (int x = 0; x < g->width; x++)
-            g->v[(size_t)y * (size_t)g->width + (size_t)x] =
-                grid_number(row + 4 * (size_t)x, GRID_F32, big_endian);
+            g->v[(size_t)y * (size_t)g->width + (size_t)x] = grid_number(row + 4 * (size_t)x, GRID_F32, big_endian);
     }
     return TOOL_OK;
 }

@@ -131,8 +131,7 @@ int plane16_read(uint16_t **pix, int *width, int *height, int *bits, const char 
     *pix = NULL;
     int status = raster_read(&r, path, f);
     if (status == TOOL_OK && r.channels != 1)
-        status =
-            tool_fail_set(f, TOOL_FILE, "%s: a colour picture where one of a single channel is needed", path);
+        status = tool_fail_set(f, TOOL_FILE, "%s: a colour picture where one of a single channel is needed", path);
     if (status) {
         free(r.bytes);
         return status;

@@ -11,12 +11,11 @@
 int raster_alloc(raster *r, const char *path, tool_fail *f)
 {
     if (r->width < 1 || r->height < 1 || r->width > PICTURE_SIDE_MAX || r->height > PICTURE_SIDE_MAX)
-        return tool_fail_set(f, TOOL_FILE, "%s: %d x %d pixels; each side must lie in 1..%d", path, r->width,
-                             r->height, PICTURE_SIDE_MAX);
+        return tool_fail_set(f, TOOL_FILE, "%s: %d x %d pixels; each side must lie in 1..%d", path, r->width, r->height,
+                             PICTURE_SIDE_MAX);
     size_t need = (size_t)r->width * (size_t)r->height * (size_t)r->channels * (size_t)(r->bits / 8);
     if (need > RASTER_BYTES_MAX)
-        return tool_fail_set(f, TOOL_FILE, "%s: %d x %d pixels are more than this tool reads", path, r->width,
-                             r->height);
+        return tool_fail_set(f, TOOL_FILE, "%s: %d x %d pixels are more than this tool reads", path, r->width, r->height);
     r->bytes = malloc(need);
     if (!r->bytes)
         return tool_fail_set(f, TOOL_FILE, "%s: not enough memory", path);
@@ -34,8 +33,7 @@ int raster_read(raster *r, const char *path, tool_fail *f)
         return status;
     if (size >= sizeof png && memcmp(file, png, sizeof png) == 0)
         status = raster_read_png(r, file, size, path, f);
-    else if (size >= 3 && file[0] == 'P' &&
-             (file[1] == '2' || file[1] == '3' || file[1] == '5' || file[1] == '6'))
+    else if (size >= 3 && file[0] == 'P' && (file[1] == '2' || file[1] == '3' || file[1] == '5' || file[1] == '6'))
         status = raster_read_pnm(r, file, size, path, f);
     else
         status = tool_fail_set(f, TOOL_FILE, "%s: %s; PNG, PGM and PPM are read", path,

@@ -100,8 +100,8 @@ int raster_read_png(raster *r, const uint8_t *file, size_t size, const char *pat
 static void write_body(png_structp png, png_infop info, const raster *r, png_bytepp rows)
 {
     int colour = r->channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY;
-    png_set_IHDR(png, info, (png_uint_32)r->width, (png_uint_32)r->height, r->bits, colour,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, (png_uint_32)r->width, (png_uint_32)r->height, r->bits, colour, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     png_write_image(png, rows);
     png_write_end(png, NULL);

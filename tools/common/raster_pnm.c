@@ -80,7 +80,6 @@ int raster_read_pnm(raster *r, const uint8_t *file, size_t size, const char *pat
     size_t samples = (size_t)r->width * (size_t)r->height * (size_t)r->channels;
     int whole = kind >= 5 ? copy_binary(r, &t, samples) : copy_plain(r, &t, samples, max);
     if (!whole)
-        return tool_fail_set(f, TOOL_FILE, "%s: bad PGM or PPM: the file ends too early or holds no number",
-                             path);
+        return tool_fail_set(f, TOOL_FILE, "%s: bad PGM or PPM: the file ends too early or holds no number", path);
     return TOOL_OK;
 }

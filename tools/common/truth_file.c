@@ -81,8 +81,7 @@ static int read_plane(truth_map *t, const char *path, double scale, tool_fail *f
     if (status)
         return status;
     if (bits == 8 && !(scale > 0))
-        status = tool_fail_set(
-            f, TOOL_USAGE, "%s: truth of 8 bits; say with --truth-scale how many steps make a pixel", path);
+        status = tool_fail_set(f, TOOL_USAGE, "%s: truth of 8 bits; say with --truth-scale how many steps make a pixel", path);
     else
         status = truth_alloc(t, width, height, path, f);
     double per_px = scale > 0 ? scale : 256.0;
@@ -90,8 +89,7 @@ static int read_plane(truth_map *t, const char *path, double scale, tool_fail *f
     for (size_t i = 0; status == TOOL_OK && i < n; i++)
         if (!set_px(t, i, v[i] ? v[i] / per_px : (double)NAN))
             status =
-                tool_fail_set(f, TOOL_FILE, "%s: a truth of %g px is no disparity; is --truth-scale right?",
-                              path, v[i] / per_px);
+                tool_fail_set(f, TOOL_FILE, "%s: a truth of %g px is no disparity; is --truth-scale right?", path, v[i] / per_px);
     free(v);
     return status;
 }
@@ -132,8 +130,8 @@ int truth_mask(truth_map *t, const char *path, tool_fail *f)
         return status;
     size_t n = (size_t)t->width * (size_t)t->height;
     if (mask.width != t->width || mask.height != t->height)
-        status = tool_fail_set(f, TOOL_FILE, "%s: the mask is %d x %d, the truth %d x %d", path, mask.width,
-                               mask.height, t->width, t->height);
+        status = tool_fail_set(f, TOOL_FILE, "%s: the mask is %d x %d, the truth %d x %d", path, mask.width, mask.height,
+                               t->width, t->height);
     for (size_t i = 0; status == TOOL_OK && i < n; i++) {
         int hidden = mask.pix[i] == 0 || mask.pix[i] == 128;
         if (t->q16[i] == STAD_TRUTH_NONE)

@@ -25,8 +25,7 @@ static int find_pairs(seen *s, const picture *left, const picture *right, const 
     size_t bytes = stad_mark_bytes(left->width, left->height);
     void *work = NULL;
     if (bytes == 0)
-        return tool_fail_set(f, TOOL_FILE, "%s: %d x %d is no size to look for marks in", names, left->width,
-                             left->height);
+        return tool_fail_set(f, TOOL_FILE, "%s: %d x %d is no size to look for marks in", names, left->width, left->height);
     if (posix_memalign(&work, STAD_ALIGN, bytes))
         return tool_fail_set(f, TOOL_FILE, "%s: not enough memory to look for marks", names);
     int nl = stad_mark_find(&l, NULL, s->left, MARKS_MAX, work, bytes);
@@ -34,9 +33,8 @@ static int find_pairs(seen *s, const picture *left, const picture *right, const 
     free(work);
     s->count = nl < 0 || nr < 0 ? 0 : stad_mark_pair(s->left, nl, s->right, nr, s->pairs, MARKS_MAX);
     if (s->count < 2)
-        return tool_fail_set(f, TOOL_FILE,
-                             "%s: %d marks on the left, %d on the right, %d on both; at least 2 are needed",
-                             names, nl, nr, s->count);
+        return tool_fail_set(f, TOOL_FILE, "%s: %d marks on the left, %d on the right, %d on both; at least 2 are needed", names,
+                             nl, nr, s->count);
     return TOOL_OK;
 }
 
@@ -47,11 +45,10 @@ static int check_rig(const seen *s, const picture *left, const char *names, tool
     int verdict = stad_rig_fit(&rig, &report, s->pairs, s->count, left->width, left->height);
     if (verdict == STAD_RIG_GOOD || verdict == STAD_RIG_WATCH)
         return TOOL_OK;
-    return tool_fail_set(
-        f, TOOL_REFUSED,
-        "%s: the rows of the two views differ by up to %.2f px, and by %.2f px from a small correction: "
-        "rectify first, no parameters make up for that",
-        names, report.worst_q8 / 256.0, report.rms_after_q8 / 256.0);
+    return tool_fail_set(f, TOOL_REFUSED,
+                         "%s: the rows of the two views differ by up to %.2f px, and by %.2f px from a small correction: "
+                         "rectify first, no parameters make up for that",
+                         names, report.worst_q8 / 256.0, report.rms_after_q8 / 256.0);
 }
 
 static int fill(truth_map *t, const stad_truth *truth, const char *names, tool_fail *f)
@@ -87,8 +84,7 @@ static int check_range(const seen *s, const stad_params *p, const char *names, t
     int last = p->min_disparity + p->num_disparities - 1;
     disparities_of(s, &low, &high);
     if (low == 0 && high == 0)
-        return tool_fail_set(f, TOOL_USAGE, "%s: both show the marks at the same place: the same picture twice",
-                             names);
+        return tool_fail_set(f, TOOL_USAGE, "%s: both show the marks at the same place: the same picture twice", names);
     if (low >= p->min_disparity && high <= last)
         return TOOL_OK;
     if (high < 0 && high < p->min_disparity)
@@ -102,17 +98,16 @@ static int check_range(const seen *s, const stad_params *p, const char *names, t
                          names, low, high, p->min_disparity, p->num_disparities, p->min_disparity, last);
 }
 
-static int make_planes(stad_truth *truth, const truth_map *t, const seen *s, int min_disparity,
-                       int num_disparities, const stad_camera *camera)
+static int make_planes(stad_truth *truth, const truth_map *t, const seen *s, int min_disparity, int num_disparities,
+                       const stad_camera *camera)
 {
     int code = stad_truth_init(truth, t->width, t->height, min_disparity, num_disparities, 1);
-    return code == STAD_OK ? stad_truth_from_target(truth, stad_target_relief(), s->pairs, s->count, camera)
-                           : code;
+    return code == STAD_OK ? stad_truth_from_target(truth, stad_target_relief(), s->pairs, s->count, camera) : code;
 }
 
 /* Why the marks gave no truth. */
-static int explain(int code, const truth_map *t, const seen *s, const stad_params *p,
-                   const stad_camera *camera, const char *names, tool_fail *f)
+static int explain(int code, const truth_map *t, const seen *s, const stad_params *p, const stad_camera *camera,
+                   const char *names, tool_fail *f)
 {
     stad_truth anywhere;
     if (code == STAD_E_RIG)
@@ -125,13 +120,12 @@ static int explain(int code, const truth_map *t, const seen *s, const stad_param
                              "%s: too little of the target is in the columns where the whole range is "
                              "searched, from %d on (--min-disparity, --num-disparities)",
                              names, p->min_disparity + p->num_disparities);
-    return tool_fail_set(f, TOOL_FILE,
-                         "%s: the marks found are not those of a flat target with its relief (%s)", names,
+    return tool_fail_set(f, TOOL_FILE, "%s: the marks found are not those of a flat target with its relief (%s)", names,
                          stad_status_name(code));
 }
 
-int truth_from_marks(truth_map *t, const picture *left, const picture *right, const stad_params *p,
-                     const stad_camera *camera, const char *names, tool_fail *f)
+int truth_from_marks(truth_map *t, const picture *left, const picture *right, const stad_params *p, const stad_camera *camera,
+                     const char *names, tool_fail *f)
 {
     seen s;
     stad_truth truth;

@@ -30,8 +30,7 @@ static int grow(unsigned char **bytes, size_t *room, size_t max)
     return 1;
 }
 
-static int read_stream(FILE *in, const char *path, size_t max, unsigned char **bytes, size_t *size,
-                       tool_fail *f)
+static int read_stream(FILE *in, const char *path, size_t max, unsigned char **bytes, size_t *size, tool_fail *f)
 {
     size_t room = 0, n = 0;
     for (;;) {
@@ -40,8 +39,7 @@ static int read_stream(FILE *in, const char *path, size_t max, unsigned char **b
         size_t got = fread(*bytes + n, 1, room - 1 - n, in);
         n += got;
         if (n > max)
-            return tool_fail_set(f, TOOL_FILE, "%s: larger than the %zu bytes such a file may have", path,
-                                 max);
+            return tool_fail_set(f, TOOL_FILE, "%s: larger than the %zu bytes such a file may have", path, max);
         if (got == 0)
             break;
     }
@@ -163,8 +161,7 @@ int tool_out_apart(const char *const *out, int outs, const char *const *in, int 
     for (int i = 0; i < outs; i++) {
         for (int k = 0; k < ins && out[i]; k++)
             if (in[k] && is_same_file(out[i], in[k]))
-                return tool_fail_set(f, TOOL_USAGE, "%s: is the input %s; an output must be another file",
-                                     out[i], in[k]);
+                return tool_fail_set(f, TOOL_USAGE, "%s: is the input %s; an output must be another file", out[i], in[k]);
         for (int k = 0; k < i && out[i]; k++)
             if (out[k] && is_same_file(out[i], out[k]))
                 return tool_fail_set(f, TOOL_USAGE, "%s and %s: two outputs in one file", out[k], out[i]);
@@ -288,8 +285,7 @@ int tool_out_close(tool_out *o, int ok, tool_fail *f)
     int bad = ferror(o->stream);
     bad |= fclose(o->stream) != 0;
     if (ok && bad)
-        status =
-            tool_fail_set(f, TOOL_FILE, "%s: cannot be written: %s", o->final, strerror(errno ? errno : EIO));
+        status = tool_fail_set(f, TOOL_FILE, "%s: cannot be written: %s", o->final, strerror(errno ? errno : EIO));
     if (o->beside && status == TOOL_OK && rename(o->beside, o->final))
         status = tool_fail_set(f, TOOL_FILE, "%s: cannot be written: %s", o->final, strerror(errno));
     if (o->beside && status)

@@ -16,10 +16,10 @@ void count_begin_3way_small(void);
 void count_end(void);
 
 /* The marks: calls that the compiler must make and that differ from each other. */
-#define MARK(name) \
+#define MARK(name)                            \
     __attribute__((noinline)) void name(void) \
-    { \
-        __asm__ volatile("" ::: "memory"); \
+    {                                         \
+        __asm__ volatile("" ::: "memory");    \
     }
 MARK(count_begin_sgbm_fast)
 MARK(count_begin_sgbm_small)

@@ -10,17 +10,21 @@
 #include "stad/stad.h"
 
 enum { WIDTH = 320, HEIGHT = 240, DISPARITIES = 64, BLOCK = 11, P2 = 8192, CAP = 127, CELL = 4, SIDE = 8 * CELL };
-enum { BLACK = 30, WHITE = 220, MATCH_BYTES = STAD_MATCH_BYTES(WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL) };
+enum {
+    BLACK = 30,
+    WHITE = 220,
+    MATCH_BYTES = STAD_MATCH_BYTES(WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL)
+};
 
 void count_begin_marks(void);
 void count_begin_block_3(void);
 void count_begin_block_11(void);
 void count_end(void);
 
-#define MARK(name) \
+#define MARK(name)                            \
     __attribute__((noinline)) void name(void) \
-    { \
-        __asm__ volatile("" ::: "memory"); \
+    {                                         \
+        __asm__ volatile("" ::: "memory");    \
     }
 MARK(count_begin_marks)
 MARK(count_begin_block_3)

@@ -26,8 +26,7 @@ static int covers(const scene_surface *f, int64_t x_q16, int y)
 {
     if (f->shape == SCENE_EVERYWHERE)
         return 1;
-    if (y < f->y0 || y >= f->y1 || x_q16 < (int64_t)f->x0 * 65536 - 32768 ||
-        x_q16 >= (int64_t)f->x1 * 65536 - 32768)
+    if (y < f->y0 || y >= f->y1 || x_q16 < (int64_t)f->x0 * 65536 - 32768 || x_q16 >= (int64_t)f->x1 * 65536 - 32768)
         return 0;
     if (f->shape == SCENE_BOX)
         return 1;
@@ -90,8 +89,7 @@ static int seen_from_right(const scene *s, const hit *h, int y)
     return front.surface == h->surface || front.d_q16 - h->d_q16 <= 1024;
 }
 
-static void render_row(const scene *s, int y, picture *left, picture *right, int32_t *truth_q16,
-                       picture *visible)
+static void render_row(const scene *s, int y, picture *left, picture *right, int32_t *truth_q16, picture *visible)
 {
     size_t row = (size_t)y * (size_t)s->width;
     for (int x = 0; x < s->width; x++) {
@@ -104,8 +102,7 @@ static void render_row(const scene *s, int y, picture *left, picture *right, int
     }
 }
 
-int scene_render(const scene *s, picture *left, picture *right, int32_t **truth_q16, picture *visible,
-                 tool_fail *f)
+int scene_render(const scene *s, picture *left, picture *right, int32_t **truth_q16, picture *visible, tool_fail *f)
 {
     memset(left, 0, sizeof *left);
     memset(right, 0, sizeof *right);

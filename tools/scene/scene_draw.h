@@ -54,13 +54,11 @@ typedef struct scene {
 
 /* A slanted background and `plates` plates in front of it, disparities within min_disparity .. min_disparity + num_disparities - 2, paints
  * rich and poor. 1 <= plates < SCENE_SURFACES. The scene points into itself: do not copy it. */
-void scene_random(scene *s, int width, int height, int min_disparity, int num_disparities, int plates,
-                  uint32_t seed);
+void scene_random(scene *s, int width, int height, int min_disparity, int num_disparities, int plates, uint32_t seed);
 
 /* Grey pictures, truth (px * 65536, of every left pixel) and visibility (255: the right camera sees it too; 0: hidden by a
  * surface in front, or outside the right image). All four are allocated here; *truth_q16 is for free(). */
-int scene_render(const scene *s, picture *left, picture *right, int32_t **truth_q16, picture *visible,
-                 tool_fail *f);
+int scene_render(const scene *s, picture *left, picture *right, int32_t **truth_q16, picture *visible, tool_fail *f);
 
 #ifdef __cplusplus
 }

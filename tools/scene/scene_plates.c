@@ -49,8 +49,7 @@ static void draw_plate(scene *s, int i, uint32_t *state, int32_t near_q16, int32
     draw_paint(s, i, state);
 }
 
-void scene_random(scene *s, int width, int height, int min_disparity, int num_disparities, int plates,
-                  uint32_t seed)
+void scene_random(scene *s, int width, int height, int min_disparity, int num_disparities, int plates, uint32_t seed)
 {
     uint32_t state = scene_hash(seed + 1);
     memset(s, 0, sizeof *s);

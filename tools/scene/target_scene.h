@@ -43,20 +43,20 @@ typedef struct target_pose {
 /* A pair of cameras. The drift turns the RIGHT image about its centre, scales and shifts it, after projection. */
 typedef struct target_camera {
     int width, height;
-    double f, cx, cy;    /* px */
-    double baseline;     /* mm */
-    double psf;          /* px, standard deviation of the Gaussian point spread */
-    int supersample;     /* rays a pixel and direction; 4 is plenty */
-    double drift_dy;     /* px */
-    double drift_roll;   /* radians */
-    double drift_scale;  /* 0.004 = 0.4 percent larger */
+    double f, cx, cy;   /* px */
+    double baseline;    /* mm */
+    double psf;         /* px, standard deviation of the Gaussian point spread */
+    int supersample;    /* rays a pixel and direction; 4 is plenty */
+    double drift_dy;    /* px */
+    double drift_roll;  /* radians */
+    double drift_scale; /* 0.004 = 0.4 percent larger */
 } target_camera;
 
 typedef struct target_quad {
-    target_vector p[4];    /* flat, convex, in order; two may coincide */
-    double u[4], v[4];     /* texture coordinates of the corners, mm */
+    target_vector p[4];        /* flat, convex, in order; two may coincide */
+    double u[4], v[4];         /* texture coordinates of the corners, mm */
     const stad_target *target; /* SHEET: whose base; also set for its facets and walls */
-    int kind;              /* enum target_texture */
+    int kind;                  /* enum target_texture */
     unsigned seed;
 } target_quad;
 
@@ -101,7 +101,14 @@ double target_random_uniform(target_random *r); /* [0, 1) */
 double target_random_normal(target_random *r);
 
 enum target_kind {
-    TARGET_CLEAN, TARGET_NOISE_5, TARGET_NOISE_10, TARGET_NOISE_20, TARGET_GAIN, TARGET_VIGNETTE, TARGET_LOW_LIGHT, TARGET_BLUR,
+    TARGET_CLEAN,
+    TARGET_NOISE_5,
+    TARGET_NOISE_10,
+    TARGET_NOISE_20,
+    TARGET_GAIN,
+    TARGET_VIGNETTE,
+    TARGET_LOW_LIGHT,
+    TARGET_BLUR,
     TARGET_KINDS
 };
 const char *target_kind_name(int kind);

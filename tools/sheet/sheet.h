@@ -34,7 +34,7 @@ typedef struct sheet_pen {
     void (*fill)(void *to, const sheet_point *p, int count, int grey);
     void (*raster)(void *to, const sheet_raster *r);
     void (*text)(void *to, sheet_point at, double size_mm, const char *text); /* ASCII */
-    int (*end)(void *to); /* after the last page; 0 = could not */
+    int (*end)(void *to);                                                     /* after the last page; 0 = could not */
 } sheet_pen;
 
 typedef struct sheet_paper {

@@ -174,8 +174,7 @@ static sheet_piece *place_first(sheet_net *net, const stad_target_facet *f, int 
     return top;
 }
 
-static sheet_piece *place_beside(sheet_net *net, const stad_target *t, sheet_piece *was, int i, int facet,
-                                 int k)
+static sheet_piece *place_beside(sheet_net *net, const stad_target *t, sheet_piece *was, int i, int facet, int k)
 {
     const stad_target_facet *f = &t->facets[was->facet], *g = &t->facets[facet];
     hinge h = hinge_of(corner(f, i), corner(f, i + 1), was->p[i], was->p[(i + 1) & 3], centre(was));

@@ -112,8 +112,7 @@ static void draw_footprints(const sheet_pen *pen, const stad_target *t, sheet_po
         const stad_target_facet *f = &t->facets[i];
         for (int k = 0; k < 4; k++) {
             int n = (k + 1) % 4;
-            pen->line(pen->to, at(o.x + f->x_mm[k], o.y + f->y_mm[k]), at(o.x + f->x_mm[n], o.y + f->y_mm[n]),
-                      SHEET_THIN);
+            pen->line(pen->to, at(o.x + f->x_mm[k], o.y + f->y_mm[k]), at(o.x + f->x_mm[n], o.y + f->y_mm[n]), SHEET_THIN);
         }
         if (i == 0 || t->facets[i - 1].part != f->part)
             pen->text(pen->to, at(o.x + f->x_mm[0] + 1, o.y + f->y_mm[0] + 4), 2.5, t->parts[f->part]);
@@ -125,12 +124,7 @@ static void draw_ruler(const sheet_pen *pen, double x, double y)
 {
     pen->line(pen->to, at(x, y), at(x, y + 100), SHEET_CUT);
     for (int mm = 0; mm <= 100; mm++)
-        pen->line(pen->to, at(x, y + mm),
-                  at(x + (mm % 10 == 0  ? 3
-                          : mm % 5 == 0 ? 2
-                                        : 1),
-                     y + mm),
-                  SHEET_CUT);
+        pen->line(pen->to, at(x, y + mm), at(x + (mm % 10 == 0 ? 3 : mm % 5 == 0 ? 2 : 1), y + mm), SHEET_CUT);
     pen->text(pen->to, at(x - 2, y - 2), 3, "0");
     pen->text(pen->to, at(x - 4, y + 104), 3, "100 mm");
 }
@@ -146,8 +140,7 @@ static int draw_base(const stad_target *t, const sheet_paper *paper, const sheet
     draw_footprints(pen, t, o);
     box(pen, o.x, o.y, t->width_mm, t->height_mm, SHEET_CUT);
     draw_ruler(pen, o.x + t->width_mm + 2, paper->height_mm / 2 - 50);
-    pen->text(pen->to, at(o.x, o.y - 3), 3,
-              "base: print at 100 %, check the ruler, cut along the outline, glue to a flat board");
+    pen->text(pen->to, at(o.x, o.y - 3), 3, "base: print at 100 %, check the ruler, cut along the outline, glue to a flat board");
     return 1;
 }
 
@@ -162,9 +155,8 @@ static int draw_piece(const stad_target *t, const sheet_pen *pen, const sheet_pi
         const stad_target_facet *f = &t->facets[piece->facet];
         double w = sheet_edge_mm(f, 0), h = sheet_edge_mm(f, 3);
         int part = f->part + 1;
-        const sheet_point span[3] = {p[0],
-                                     {(p[1].x - p[0].x) / w, (p[1].y - p[0].y) / w},
-                                     {(p[3].x - p[0].x) / h, (p[3].y - p[0].y) / h}};
+        const sheet_point span[3] = {
+            p[0], {(p[1].x - p[0].x) / w, (p[1].y - p[0].y) / w}, {(p[3].x - p[0].x) / h, (p[3].y - p[0].y) / h}};
         if (!print_patch(pen, part_print, &part, w, h, span))
             return 0;
     } else if (piece->kind == SHEET_WALL) {
@@ -257,9 +249,9 @@ static void draw_table(const stad_target *t, const sheet_pen *pen, double x, dou
     char line[160];
     for (int i = 0; i < t->facet_count; i++) {
         const stad_target_facet *f = &t->facets[i];
-        snprintf(line, sizeof line, "%-8s corners (x y h) mm: (%d %d %d)  (%d %d %d)  (%d %d %d)  (%d %d %d)",
-                 t->parts[f->part], f->x_mm[0], f->y_mm[0], f->h_mm[0], f->x_mm[1], f->y_mm[1], f->h_mm[1],
-                 f->x_mm[2], f->y_mm[2], f->h_mm[2], f->x_mm[3], f->y_mm[3], f->h_mm[3]);
+        snprintf(line, sizeof line, "%-8s corners (x y h) mm: (%d %d %d)  (%d %d %d)  (%d %d %d)  (%d %d %d)", t->parts[f->part],
+                 f->x_mm[0], f->y_mm[0], f->h_mm[0], f->x_mm[1], f->y_mm[1], f->h_mm[1], f->x_mm[2], f->y_mm[2], f->h_mm[2],
+                 f->x_mm[3], f->y_mm[3], f->h_mm[3]);
         pen->text(pen->to, at(x, y + 5 * i), 3.2, line);
     }
 }
@@ -283,8 +275,7 @@ static void draw_side_view(const stad_target *t, const sheet_pen *pen, double x,
             pen->text(pen->to, at(left, y + row + 4), 2.8, t->parts[f->part]);
     }
     pen->line(pen->to, at(x, y + LOWER_ROW_MM), at(x + scale * t->width_mm, y + LOWER_ROW_MM), SHEET_CUT);
-    pen->text(pen->to, at(x + scale * t->width_mm + 3, y), 2.8,
-              "seen from below, half size: upper row of parts");
+    pen->text(pen->to, at(x + scale * t->width_mm + 3, y), 2.8, "seen from below, half size: upper row of parts");
     pen->text(pen->to, at(x + scale * t->width_mm + 3, y + LOWER_ROW_MM), 2.8, "lower row of parts");
 }
 
@@ -292,8 +283,8 @@ static void draw_guide(const stad_target *t, const sheet_pen *pen)
 {
     double x = 12, y = 16;
     char title[96];
-    snprintf(title, sizeof title, "Target \"%s\": base %d x %d mm, marks of %d mm. How to build and mount it",
-             t->name, t->width_mm, t->height_mm, t->tag_mm);
+    snprintf(title, sizeof title, "Target \"%s\": base %d x %d mm, marks of %d mm. How to build and mount it", t->name,
+             t->width_mm, t->height_mm, t->tag_mm);
     pen->text(pen->to, at(x, y), 5, title);
     for (size_t i = 0; i < sizeof guide / sizeof guide[0]; i++)
         pen->text(pen->to, at(x, y + 9 + 6 * (double)i), 3.4, guide[i]);
@@ -315,11 +306,9 @@ int sheet_draw(const stad_target *target, const sheet_paper *paper, const sheet_
     int net_pages = arrange(target, paper, places), pages = 2 + net_pages;
     if (net_pages < 0)
         return 0;
-    int ok =
-        pen->begin(pen->to, paper->width_mm, paper->height_mm, 1, pages) && draw_base(target, paper, pen);
+    int ok = pen->begin(pen->to, paper->width_mm, paper->height_mm, 1, pages) && draw_base(target, paper, pen);
     for (int page = 0; ok && page < net_pages; page++)
-        ok = pen->begin(pen->to, paper->width_mm, paper->height_mm, 2 + page, pages) &&
-             draw_nets(target, pen, places, page);
+        ok = pen->begin(pen->to, paper->width_mm, paper->height_mm, 2 + page, pages) && draw_nets(target, pen, places, page);
     if (ok && pen->begin(pen->to, paper->width_mm, paper->height_mm, pages, pages))
         draw_guide(target, pen);
     else

@@ -95,8 +95,8 @@ static void close_page(pdf *p)
     int content = write_stream(p, "", p->drawing.at, p->drawing.count);
     int page = new_object(p);
     begin_object(p, page);
-    fprintf(p->out, "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 %.3f %.3f] /Contents %d 0 R\n",
-            p->width * PT, p->height * PT, content);
+    fprintf(p->out, "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 %.3f %.3f] /Contents %d 0 R\n", p->width * PT, p->height * PT,
+            content);
     fprintf(p->out, "   /Resources << /Font << /F1 3 0 R >> /XObject <<");
     for (int i = 0; i < p->images; i++)
         fprintf(p->out, " /I%d %d 0 R", i, p->image[i]);
@@ -148,15 +148,14 @@ static void pdf_raster(void *to, const sheet_raster *r)
         p->lost = 1;
         return;
     }
-    snprintf(
-        dictionary, sizeof dictionary,
-        "/Type /XObject /Subtype /Image /Width %d /Height %d /ColorSpace /DeviceGray /BitsPerComponent 8",
-        r->width, r->height);
+    snprintf(dictionary, sizeof dictionary,
+             "/Type /XObject /Subtype /Image /Width %d /Height %d /ColorSpace /DeviceGray /BitsPerComponent 8", r->width,
+             r->height);
     p->image[p->images] = write_stream(p, dictionary, r->grey, (size_t)r->width * (size_t)r->height);
     double ux = r->u.x * r->width, uy = r->u.y * r->width, vx = r->v.x * r->height, vy = r->v.y * r->height;
     /* an image's own y runs up: its origin is the lower left corner */
-    addf(&p->drawing, "q %.3f %.3f %.3f %.3f %.3f %.3f cm /I%d Do Q\n", ux, uy, -vx, -vy, r->origin.x + vx,
-         r->origin.y + vy, p->images);
+    addf(&p->drawing, "q %.3f %.3f %.3f %.3f %.3f %.3f cm /I%d Do Q\n", ux, uy, -vx, -vy, r->origin.x + vx, r->origin.y + vy,
+         p->images);
     p->images++;
 }
 

@@ -156,8 +156,7 @@ static void svg_line(void *to, sheet_point a, sheet_point b, int kind)
     static const char *const style[] = {"stroke=\"#000\" stroke-width=\".15\"",
                                         "stroke=\"#000\" stroke-width=\".15\" stroke-dasharray=\"2 1\"",
                                         "stroke=\"#595959\" stroke-width=\".08\""};
-    fprintf(((svg *)to)->out, "<line x1=\"%.3f\" y1=\"%.3f\" x2=\"%.3f\" y2=\"%.3f\" %s/>\n", a.x, a.y, b.x,
-            b.y, style[kind]);
+    fprintf(((svg *)to)->out, "<line x1=\"%.3f\" y1=\"%.3f\" x2=\"%.3f\" y2=\"%.3f\" %s/>\n", a.x, a.y, b.x, b.y, style[kind]);
 }
 
 static void svg_fill(void *to, const sheet_point *p, int count, int grey)

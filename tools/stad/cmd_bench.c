@@ -18,9 +18,8 @@ static const char help[] =
     "names the kernels in use, which the variable STAD_ISA may hold down as --isa does.\n\n"
     "  --width W, --height H        (640, 480)\n"
     "  --frames N                   (9)\n"
-    "  --isa c|sse41|avx2|avx512    at most this tier of kernels on x86 (all that the CPU has)\n"
-    MATCH_OPTIONS_HELP_FOR("all four")
-    "\nExample: stad bench --num-disparities 128 --mode sgbm\n";
+    "  --isa c|sse41|avx2|avx512    at most this tier of kernels on x86 (all that the CPU has)\n" MATCH_OPTIONS_HELP_FOR(
+        "all four") "\nExample: stad bench --num-disparities 128 --mode sgbm\n";
 
 typedef struct bench_job {
     match_options options;
@@ -101,13 +100,11 @@ static double cpu_seconds(void)
 }
 
 /* Median seconds of a frame, the first one (which touches the memory) left out. */
-static int time_frames(engine *e, const bench_job *j, const stad_params *p, const picture *pair,
-                       double *median, tool_fail *f)
+static int time_frames(engine *e, const bench_job *j, const stad_params *p, const picture *pair, double *median, tool_fail *f)
 {
     disparity d = {0};
     double *seconds = calloc((size_t)j->frames, sizeof *seconds);
-    int status = seconds ? engine_run(e, p, &pair[0], &pair[1], &d, NULL, f)
-                         : tool_fail_set(f, TOOL_FILE, "not enough memory");
+    int status = seconds ? engine_run(e, p, &pair[0], &pair[1], &d, NULL, f) : tool_fail_set(f, TOOL_FILE, "not enough memory");
     for (long i = 0; i < j->frames && status == TOOL_OK; i++) {
         double start = cpu_seconds();
         status = engine_run(e, p, &pair[0], &pair[1], &d, NULL, f);

@@ -156,8 +156,7 @@ static void print_table(const measures *m)
 {
     printf("%-14s %9s %11s\n", "", "visible", "estimated");
     for (int i = 0; i < MEASURE_THRESHOLDS; i++)
-        printf("bad %3.1f px     %8.3f %% %9.3f %%\n", measure_threshold[i], 100 * m->bad[i],
-               100 * m->bad_estimated[i]);
+        printf("bad %3.1f px     %8.3f %% %9.3f %%\n", measure_threshold[i], 100 * m->bad[i], 100 * m->bad_estimated[i]);
     printf("D1             %8.3f %% %9.3f %%\n", 100 * m->d1, 100 * m->d1_estimated);
     printf("chow           %8.3f %%   (above %g px)\n", 100 * m->chow, m->threshold);
     printf("density        %8.3f %%\n", 100 * m->density);
@@ -172,8 +171,7 @@ static int work(const eval_job *j, tool_fail *f)
     truth_map t = {0};
     measures m;
     if (j->min_disparity == INT16_MAX || j->num_disparities == 0)
-        return tool_fail_set(f, TOOL_USAGE,
-                             "--min-disparity and --num-disparities are wanted: the range that was matched");
+        return tool_fail_set(f, TOOL_USAGE, "--min-disparity and --num-disparities are wanted: the range that was matched");
     const char *const ins[] = {j->disp, j->truth, j->mask};
     int status = tool_out_apart(&j->report, 1, ins, 3, f);
     if (status == TOOL_OK)

@@ -9,18 +9,17 @@
 #include "match_options.h"
 #include "tool.h"
 
-static const char help[] =
-    "usage: stad match LEFT RIGHT -o OUT [options]\n\n"
-    "Disparity of a rectified pair (8-bit PNG, PGM or PPM), bit for bit what cv::StereoSGBM computes.\n\n"
-    "  -o, --output OUT             .npy  int16, disparity * 16: the array OpenCV's compute() returns\n"
-    "                               .pfm  pixels, none = +inf\n"
-    "                               .png  16 bits, disparity * 256, none = 0\n"
-    "  --preview FILE.png           the map in colours, to look at\n"
-    "  --confidence FILE.png        by how much the best disparity wins, 0..255\n"
-    "  --right FILE                 disparity of the right view, as the left-right check sees "
-    "it\n" MATCH_OPTIONS_HELP "\nIn brackets: what holds when the option is left out. A value that OpenCV "
-    "would repair in silence is refused.\n\n"
-    "Example: stad match left.png right.png -o disp.npy --num-disparities 64 --preview disp.png\n";
+static const char help[] = "usage: stad match LEFT RIGHT -o OUT [options]\n\n"
+                           "Disparity of a rectified pair (8-bit PNG, PGM or PPM), bit for bit what cv::StereoSGBM computes.\n\n"
+                           "  -o, --output OUT             .npy  int16, disparity * 16: the array OpenCV's compute() returns\n"
+                           "                               .pfm  pixels, none = +inf\n"
+                           "                               .png  16 bits, disparity * 256, none = 0\n"
+                           "  --preview FILE.png           the map in colours, to look at\n"
+                           "  --confidence FILE.png        by how much the best disparity wins, 0..255\n"
+                           "  --right FILE                 disparity of the right view, as the left-right check sees "
+                           "it\n" MATCH_OPTIONS_HELP "\nIn brackets: what holds when the option is left out. A value that OpenCV "
+                           "would repair in silence is refused.\n\n"
+                           "Example: stad match left.png right.png -o disp.npy --num-disparities 64 --preview disp.png\n";
 
 typedef struct match_job {
     match_options options;
@@ -104,11 +103,10 @@ static int write_outputs(const match_job *j, const stad_params *p, const dispari
     return status;
 }
 
-static int match_pair(const match_job *j, const stad_params *p, const picture *left, const picture *right,
-                      tool_fail *f)
+static int match_pair(const match_job *j, const stad_params *p, const picture *left, const picture *right, tool_fail *f)
 {
-    stad_geometry g = engine_geometry(p, match_options_mode(&j->options), j->options.memory, left->width,
-                                      left->height, left->channels);
+    stad_geometry g =
+        engine_geometry(p, match_options_mode(&j->options), j->options.memory, left->width, left->height, left->channels);
     disparity d = {0}, right_d = {0};
     picture sure = {0};
     engine_extras extras = {j->confidence ? &sure : NULL, j->right_out ? &right_d : NULL};

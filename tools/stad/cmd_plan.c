@@ -28,16 +28,7 @@ static const char help[] =
     "\"small\": ...}, ...}\n\n"
     "Example: stad plan --width 320 --height 240 --num-disparities 64 --block-size 5\n";
 
-enum plan_field {
-    PLAN_WIDTH,
-    PLAN_HEIGHT,
-    PLAN_NUM,
-    PLAN_BLOCK,
-    PLAN_CHANNELS,
-    PLAN_P2,
-    PLAN_CAP,
-    PLAN_FIELDS
-};
+enum plan_field { PLAN_WIDTH, PLAN_HEIGHT, PLAN_NUM, PLAN_BLOCK, PLAN_CHANNELS, PLAN_P2, PLAN_CAP, PLAN_FIELDS };
 
 static const char *const names[PLAN_FIELDS] = {"width",    "height", "num-disparities",   "block-size",
                                                "channels", "max-p2", "max-pre-filter-cap"};
@@ -83,8 +74,7 @@ static int read_options(plan_job *j, int argc, char **argv, tool_fail *f)
         else if (code == 'b') {
             if (read_board(j, f))
                 return tool_report(argv[0], f);
-        }
-        else if (tool_whole(names[code], optarg, 1, INT16_MAX, &j->v[code], f))
+        } else if (tool_whole(names[code], optarg, 1, INT16_MAX, &j->v[code], f))
             return tool_report(argv[0], f);
     }
     if (tool_words(argc, optind, 0, "only options are", f))
@@ -105,10 +95,10 @@ static int refused(const plan_job *j, const char *culprit, tool_fail *f)
                  {"max_pre_filter_cap", "odd and at least 15", PLAN_CAP}};
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++)
         if (strcmp(culprit, rules[i].culprit) == 0)
-            return tool_fail_set(f, TOOL_USAGE, "--%s %ld: must be %s", names[rules[i].field],
-                                 j->v[rules[i].field], rules[i].allowed);
-    return tool_fail_set(f, TOOL_USAGE, "%ld x %ld frames, %ld disparities: no matcher can be so large",
-                         j->v[PLAN_WIDTH], j->v[PLAN_HEIGHT], j->v[PLAN_NUM]);
+            return tool_fail_set(f, TOOL_USAGE, "--%s %ld: must be %s", names[rules[i].field], j->v[rules[i].field],
+                                 rules[i].allowed);
+    return tool_fail_set(f, TOOL_USAGE, "%ld x %ld frames, %ld disparities: no matcher can be so large", j->v[PLAN_WIDTH],
+                         j->v[PLAN_HEIGHT], j->v[PLAN_NUM]);
 }
 
 static int geometry_of(const plan_job *j, int mode, int memory, stad_geometry *g, tool_fail *f)

@@ -63,16 +63,15 @@ static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"help", no_argument, NULL, 'h'},
                                       {NULL, 0, NULL, 0}};
 
-static const tool_vain vain[] = {
-    {TOOL_BIT('f'), TOOL_BIT('t'), 0, "--frames has no effect without --target"},
-    {TOOL_BIT('d'), TOOL_BIT('t'), 0, "--drift has no effect without --target"},
-    {TOOL_BIT('P'), TOOL_BIT('t'), 0, "--pgm has no effect without --target"},
-    {TOOL_BIT('S'), TOOL_BIT('t'), 0, "--share has no effect without --target"},
-    {TOOL_BIT('k'), TOOL_BIT('t'), 0, "--from has no effect without --target"},
-    {TOOL_BIT('k'), TOOL_BIT('d'), 0, "--from has no effect without --drift"},
-    {TOOL_BIT('p'), 0, TOOL_BIT('t'), "--plates has no effect with --target"},
-    {TOOL_BIT('m'), 0, TOOL_BIT('t'), "--min-disparity does not go with --target"},
-    {TOOL_BIT('g'), 0, TOOL_BIT('t'), "--gain does not go with --target"}};
+static const tool_vain vain[] = {{TOOL_BIT('f'), TOOL_BIT('t'), 0, "--frames has no effect without --target"},
+                                 {TOOL_BIT('d'), TOOL_BIT('t'), 0, "--drift has no effect without --target"},
+                                 {TOOL_BIT('P'), TOOL_BIT('t'), 0, "--pgm has no effect without --target"},
+                                 {TOOL_BIT('S'), TOOL_BIT('t'), 0, "--share has no effect without --target"},
+                                 {TOOL_BIT('k'), TOOL_BIT('t'), 0, "--from has no effect without --target"},
+                                 {TOOL_BIT('k'), TOOL_BIT('d'), 0, "--from has no effect without --drift"},
+                                 {TOOL_BIT('p'), 0, TOOL_BIT('t'), "--plates has no effect with --target"},
+                                 {TOOL_BIT('m'), 0, TOOL_BIT('t'), "--min-disparity does not go with --target"},
+                                 {TOOL_BIT('g'), 0, TOOL_BIT('t'), "--gain does not go with --target"}};
 
 static int take(scene_job *j, int code, tool_fail *f)
 {
@@ -125,8 +124,7 @@ static int read_options(scene_job *j, int argc, char **argv, tool_fail *f)
         if (take(j, code, f))
             return tool_report(argv[0], f);
     }
-    if (tool_words(argc, optind, 0, "only options are", f) ||
-        tool_refuse_vain(vain, sizeof vain / sizeof vain[0], j->given, f))
+    if (tool_words(argc, optind, 0, "only options are", f) || tool_refuse_vain(vain, sizeof vain / sizeof vain[0], j->given, f))
         return tool_report(argv[0], f);
     if (j->from >= j->frames) {
         tool_fail_set(f, TOOL_USAGE, "--from %ld: the recording has frames 0..%ld", j->from, j->frames - 1);
@@ -177,8 +175,8 @@ static int draw_plates(const scene_job *j, tool_fail *f)
     static scene s; /* some KiB, and it points into itself */
     picture left, right, visible;
     int32_t *truth;
-    scene_random(&s, (int)j->width, (int)j->height, (int)j->min_disparity, (int)j->num_disparities,
-                 (int)j->plates, (uint32_t)j->seed);
+    scene_random(&s, (int)j->width, (int)j->height, (int)j->min_disparity, (int)j->num_disparities, (int)j->plates,
+                 (uint32_t)j->seed);
     s.camera_noise = (int)j->noise;
     s.right_gain_q8 = (int)(j->gain * 256 / 100);
     int status = scene_render(&s, &left, &right, &truth, &visible, f);

@@ -95,9 +95,7 @@ static const struct option longs[] = {MATCH_OPTIONS,
                                       {NULL, 0, NULL, 0}};
 
 #define CALIBRATES TOOL_BIT(OPT_FOCAL)
-#define ANY_SPOIL                                                                                            \
-    (TOOL_BIT(OPT_NOISE) | TOOL_BIT(OPT_GAIN) | TOOL_BIT(OPT_BLUR) | TOOL_BIT(OPT_VIGNETTE) |                \
-     TOOL_BIT(OPT_DIM))
+#define ANY_SPOIL  (TOOL_BIT(OPT_NOISE) | TOOL_BIT(OPT_GAIN) | TOOL_BIT(OPT_BLUR) | TOOL_BIT(OPT_VIGNETTE) | TOOL_BIT(OPT_DIM))
 
 static const tool_vain vain[] = {
     {TOOL_BIT(OPT_CENTER), CALIBRATES, 0, "--center has no effect without --focal: no mark is looked for"},
@@ -108,18 +106,16 @@ static const tool_vain vain[] = {
     {TOOL_BIT(OPT_COST), CALIBRATES, 0, "--cost has no effect without --focal"},
     {TOOL_BIT(OPT_BASELINE), CALIBRATES, 0, "--baseline has no effect without --focal"},
     {TOOL_BIT(OPT_BASELINE), TOOL_BIT(OPT_REPORT), 0, "--baseline has no effect without --report"},
-    {TOOL_BIT(OPT_FROM), ANY_SPOIL, 0,
-     "--from has no effect without --noise, --gain, --blur, --vignette or --dim"},
+    {TOOL_BIT(OPT_FROM), ANY_SPOIL, 0, "--from has no effect without --noise, --gain, --blur, --vignette or --dim"},
     {TOOL_BIT(OPT_SIDE), 0, TOOL_BIT(OPT_SIZE), "--side-by-side has no effect with --size"}};
 
 static int take_size(simulation *s, const char *text, tool_fail *f)
 {
     char end;
-    if (sscanf(text, "%5dx%5d%c", &s->raw_width, &s->raw_height, &end) == 2 && s->raw_width >= 16 &&
-        s->raw_height >= 16 && s->raw_width <= PICTURE_SIDE_MAX && s->raw_height <= PICTURE_SIDE_MAX)
+    if (sscanf(text, "%5dx%5d%c", &s->raw_width, &s->raw_height, &end) == 2 && s->raw_width >= 16 && s->raw_height >= 16 &&
+        s->raw_width <= PICTURE_SIDE_MAX && s->raw_height <= PICTURE_SIDE_MAX)
         return TOOL_OK;
-    return tool_fail_set(f, TOOL_USAGE, "--size %s: must be WIDTHxHEIGHT, each in 16..%d", text,
-                         PICTURE_SIDE_MAX);
+    return tool_fail_set(f, TOOL_USAGE, "--size %s: must be WIDTHxHEIGHT, each in 16..%d", text, PICTURE_SIDE_MAX);
 }
 
 static int take_cost(simulation *s, const char *name, tool_fail *f)

@@ -129,8 +129,7 @@ static int take_start(tune_job *j, char *part, tool_fail *f)
         *equals = 0;
     int field = params_field_find(part);
     if (!equals || field < 0)
-        return tool_fail_set(f, TOOL_USAGE,
-                             "--start %s: must be default, sample, or NAME=VALUE of a parameter", part);
+        return tool_fail_set(f, TOOL_USAGE, "--start %s: must be default, sample, or NAME=VALUE of a parameter", part);
     return params_some_set(&j->start, field, equals + 1, f);
 }
 
@@ -142,9 +141,8 @@ static int take_free(tune_job *j, char *part, tool_fail *f)
             j->free_mask |= 1u << i;
             return TOOL_OK;
         }
-    return tool_fail_set(
-        f, TOOL_USAGE,
-        "--free %s: can be p1, p2, block_size, uniqueness_ratio, pre_filter_cap, disp12_max_diff", part);
+    return tool_fail_set(f, TOOL_USAGE, "--free %s: can be p1, p2, block_size, uniqueness_ratio, pre_filter_cap, disp12_max_diff",
+                         part);
 }
 
 static int take_name(const char *option, int *to, int found, tool_fail *f)
@@ -214,11 +212,9 @@ static int take_words(tune_job *j, int argc, char **argv, tool_fail *f)
         return TOOL_OK;
     const scored_scene *one = &j->set.scene[0];
     if (!one->truth_path && !one->fiducials)
-        return tool_fail_set(f, TOOL_USAGE,
-                             "--truth FILE, --fiducials or --scenes LIST.json is wanted: what to tune on");
+        return tool_fail_set(f, TOOL_USAGE, "--truth FILE, --fiducials or --scenes LIST.json is wanted: what to tune on");
     if (one->fiducials && (one->truth_path || one->mask_path || j->rig.focal_px <= 0))
-        return tool_fail_set(f, TOOL_USAGE,
-                             "--fiducials goes with --focal PX, and without --truth and --mask");
+        return tool_fail_set(f, TOOL_USAGE, "--fiducials goes with --focal PX, and without --truth and --mask");
     j->set.scene[0].left_path = argv[optind];
     j->set.scene[0].right_path = argv[optind + 1];
     return TOOL_OK;

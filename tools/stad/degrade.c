@@ -18,8 +18,7 @@ static void shade(float *grey, const picture *p, double corner, double all)
     for (int y = 0; y < p->height; y++)
         for (int x = 0; x < p->width; x++) {
             double r2 = ((x - cx) * (x - cx) + (y - cy) * (y - cy)) / (far > 0 ? far : 1);
-            grey[(size_t)y * (size_t)p->width + (size_t)x] *=
-                (float)((1 - all / 100) * (1 - corner / 100 * r2));
+            grey[(size_t)y * (size_t)p->width + (size_t)x] *= (float)((1 - all / 100) * (1 - corner / 100 * r2));
         }
 }
 

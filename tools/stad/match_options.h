@@ -8,13 +8,7 @@
 
 /* What getopt_long returns for them: OPT_FIELD plus the field, then these. */
 #define OPT_FIELD 0x100
-enum match_option_code {
-    OPT_MODE = 0x200,
-    OPT_PARAMS,
-    OPT_MEMORY,
-    OPT_COLOR,
-    OPT_GRAY
-};
+enum match_option_code { OPT_MODE = 0x200, OPT_PARAMS, OPT_MEMORY, OPT_COLOR, OPT_GRAY };
 
 /* For a table of getopt_long. */
 /* clang-format off */
@@ -38,18 +32,18 @@ enum match_option_code {
 
 /* The same for a help text; `otherwise` says what holds without --mode. */
 #define MATCH_OPTIONS_HELP MATCH_OPTIONS_HELP_FOR("sgbm")
-#define MATCH_OPTIONS_HELP_FOR(otherwise)                                                                    \
-    "  --mode sgbm|hh|3way|hh4      as cv::StereoSGBM's modes (" otherwise ")\n"                             \
-    "  --min-disparity N            smallest disparity searched, px (0)\n"                                   \
-    "  --num-disparities N          how many, a multiple of 8, in 3way of 16 (an eighth of the width)\n"                   \
-    "  --block-size N               side of the matching block, odd (3)\n"                                   \
-    "  --p1 N, --p2 N               costs of small and large disparity steps (8 c b^2, 32 c b^2)\n"          \
-    "  --disp12-max-diff N          largest left-right difference, px (1)\n"                                 \
-    "  --pre-filter-cap N           clip of the prefilter, odd, at least 15 (63)\n"                          \
-    "  --uniqueness-ratio N         percent by which the best must win (10)\n"                               \
-    "  --speckle-window-size N, --speckle-range N   speckle filter (0 = off)\n"                              \
-    "  --params FILE.json           parameters by name, or what `stad tune` or `stad simulate --json` wrote; options win\n"     \
-    "  --memory fast|small          same result, more time or more memory (fast)\n"                          \
+#define MATCH_OPTIONS_HELP_FOR(otherwise)                                                                                   \
+    "  --mode sgbm|hh|3way|hh4      as cv::StereoSGBM's modes (" otherwise ")\n"                                            \
+    "  --min-disparity N            smallest disparity searched, px (0)\n"                                                  \
+    "  --num-disparities N          how many, a multiple of 8, in 3way of 16 (an eighth of the width)\n"                    \
+    "  --block-size N               side of the matching block, odd (3)\n"                                                  \
+    "  --p1 N, --p2 N               costs of small and large disparity steps (8 c b^2, 32 c b^2)\n"                         \
+    "  --disp12-max-diff N          largest left-right difference, px (1)\n"                                                \
+    "  --pre-filter-cap N           clip of the prefilter, odd, at least 15 (63)\n"                                         \
+    "  --uniqueness-ratio N         percent by which the best must win (10)\n"                                              \
+    "  --speckle-window-size N, --speckle-range N   speckle filter (0 = off)\n"                                             \
+    "  --params FILE.json           parameters by name, or what `stad tune` or `stad simulate --json` wrote; options win\n" \
+    "  --memory fast|small          same result, more time or more memory (fast)\n"                                         \
     "  --gray, --color              match on grey (default) or on three channels\n"
 
 typedef struct match_options {

@@ -21,8 +21,7 @@ typedef struct measures {
 } measures;
 
 /* Sizes must agree. TOOL_USAGE when no pixel at all can be scored. */
-int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold,
-            tool_fail *f);
+int measure(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold, tool_fail *f);
 
 /* The same but for the lists of `bad`. */
 int measure_at(measures *m, const disparity *d, const truth_map *t, int num_disparities, double threshold, tool_fail *f);

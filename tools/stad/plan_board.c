@@ -88,7 +88,8 @@ void plan_board_print_loop(const plan_board *b, const stad_geometry *g)
     const long pairs = 3l * 2 * g->width * g->height * g->channels;
     const long state = (long)(sizeof(stad_calib) + sizeof(stad_evaluator) + sizeof(stad_match)) + row_bytes(g);
     const long left = b->ram_bytes - work - pairs - state - LOOP_STACK_BYTES;
-    printf("whole loop, sgbm small: %ld bytes, of them %ld workspace in turn, %ld three pairs, %ld state and rows, %d stack: %s %ld %s\n",
+    printf("whole loop, sgbm small: %ld bytes, of them %ld workspace in turn, %ld three pairs, %ld state and rows, %d stack: %s "
+           "%ld %s\n",
            work + pairs + state + LOOP_STACK_BYTES, work, pairs, state, LOOP_STACK_BYTES, left >= 0 ? "fits," : "does NOT fit,",
            left >= 0 ? left : -left, left >= 0 ? "left" : "too many");
 }

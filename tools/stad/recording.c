@@ -15,8 +15,8 @@
 
 static int is_picture(const struct dirent *e)
 {
-    return e->d_name[0] != '.' && (tool_has_suffix(e->d_name, ".png") || tool_has_suffix(e->d_name, ".pgm") ||
-                                   tool_has_suffix(e->d_name, ".ppm"));
+    return e->d_name[0] != '.' &&
+           (tool_has_suffix(e->d_name, ".png") || tool_has_suffix(e->d_name, ".pgm") || tool_has_suffix(e->d_name, ".ppm"));
 }
 
 static char *join(const char *folder, const char *name)
@@ -50,8 +50,7 @@ static char *replaced(const char *name, const char *from, const char *to)
 }
 
 #define WORDS 5
-static const char *const words[WORDS][2] = {
-    {"left", "right"}, {"Left", "Right"}, {"_0.", "_1."}, {"_L.", "_R."}, {"im0", "im1"}};
+static const char *const words[WORDS][2] = {{"left", "right"}, {"Left", "Right"}, {"_0.", "_1."}, {"_L.", "_R."}, {"im0", "im1"}};
 
 /* The right view's file beside a left one, or NULL when `name` is no left one. */
 static char *partner(const char *folder, const char *name)
@@ -73,8 +72,7 @@ static int check_halves(const char *folder, const char *name, tool_fail *f)
     char *right = strstr(name, "_0.") ? NULL : partner(folder, name);
     if (!right)
         return TOOL_OK;
-    tool_fail_set(f, TOOL_USAGE, "--side-by-side: %s/%s and %s are a view each: leave the option out", folder,
-                  name, right);
+    tool_fail_set(f, TOOL_USAGE, "--side-by-side: %s/%s and %s are a view each: leave the option out", folder, name, right);
     free(right);
     return TOOL_USAGE;
 }
@@ -123,8 +121,7 @@ static char *expected(const listing *l, const char *folder, const char *name, in
     for (int w = 0; w < WORDS; w++) {
         char *other = replaced(name, words[w][side], words[w][1 - side]);
         for (int i = 0; other && i < l->count; i++) {
-            char *right = is_alike(l->entry[i]->d_name, side ? other : name) ? partner(folder, l->entry[i]->d_name)
-                                                                             : NULL;
+            char *right = is_alike(l->entry[i]->d_name, side ? other : name) ? partner(folder, l->entry[i]->d_name) : NULL;
             free(right);
             if (right)
                 return other;
@@ -226,12 +223,10 @@ static int try_layout(recording *r, const char *where, const char *const names[2
 static int scan(recording *r, const char *where, int side_by_side, tool_fail *f)
 {
     static const char *const layouts[][2] = {
-        {"cam0/data", "cam1/data"}, {"mav0/cam0/data", "mav0/cam1/data"}, {"image_0", "image_1"},
-        {"image_2", "image_3"},     {"image_00/data", "image_01/data"},   {"image_02/data", "image_03/data"},
-        {"left", "right"}};
+        {"cam0/data", "cam1/data"},         {"mav0/cam0/data", "mav0/cam1/data"}, {"image_0", "image_1"}, {"image_2", "image_3"},
+        {"image_00/data", "image_01/data"}, {"image_02/data", "image_03/data"},   {"left", "right"}};
     int found = 0, status = TOOL_OK;
-    for (size_t i = 0; i < sizeof layouts / sizeof layouts[0] && !found && !side_by_side && status == TOOL_OK;
-         i++)
+    for (size_t i = 0; i < sizeof layouts / sizeof layouts[0] && !found && !side_by_side && status == TOOL_OK; i++)
         status = try_layout(r, where, layouts[i], &found, f);
     return found || status ? status : scan_one(r, where, side_by_side, f);
 }
@@ -243,14 +238,13 @@ static int open_raw(recording *r, const char *where, tool_fail *f)
     if (stat(where, &s))
         return tool_fail_set(f, TOOL_FILE, "%s: %s", where, strerror(errno));
     if (s.st_size == 0 || s.st_size % frame || s.st_size / frame > 10000000)
-        return tool_fail_set(f, TOOL_FILE, "%s: %lld bytes are no whole number of pairs of %d x %d", where,
-                             (long long)s.st_size, r->raw_width, r->raw_height);
+        return tool_fail_set(f, TOOL_FILE, "%s: %lld bytes are no whole number of pairs of %d x %d", where, (long long)s.st_size,
+                             r->raw_width, r->raw_height);
     r->count = (int)(s.st_size / frame);
     return TOOL_OK;
 }
 
-int recording_open(recording *r, const char *where, int side_by_side, int raw_width, int raw_height,
-                   tool_fail *f)
+int recording_open(recording *r, const char *where, int side_by_side, int raw_width, int raw_height, tool_fail *f)
 {
     memset(r, 0, sizeof *r);
     r->where = where;
@@ -261,8 +255,7 @@ int recording_open(recording *r, const char *where, int side_by_side, int raw_wi
                              where);
     int status = raw_width > 0 ? open_raw(r, where, f) : scan(r, where, side_by_side, f);
     if (status == TOOL_OK && r->count == 0)
-        status = tool_fail_set(f, TOOL_FILE,
-                               "%s: no stereo frames found; `stad simulate --help` tells the layouts", where);
+        status = tool_fail_set(f, TOOL_FILE, "%s: no stereo frames found; `stad simulate --help` tells the layouts", where);
     if (status)
         recording_close(r);
     return status;
@@ -287,9 +280,8 @@ static int read_raw(const recording *r, int i, picture *left, picture *right, to
     if (status == TOOL_OK)
         status = picture_alloc(right, r->raw_width, r->raw_height, 1, f);
     FILE *in = status ? NULL : fopen(r->where, "rb");
-    if (status == TOOL_OK &&
-        (!in || fseek(in, (long)(2 * bytes * (size_t)i), SEEK_SET) ||
-         fread(left->pix, 1, bytes, in) != bytes || fread(right->pix, 1, bytes, in) != bytes))
+    if (status == TOOL_OK && (!in || fseek(in, (long)(2 * bytes * (size_t)i), SEEK_SET) ||
+                              fread(left->pix, 1, bytes, in) != bytes || fread(right->pix, 1, bytes, in) != bytes))
         status = tool_fail_set(f, TOOL_FILE, "%s: frame %d cannot be read", r->where, i);
     if (in)
         fclose(in);

@@ -18,8 +18,7 @@ typedef struct recording {
  *     folders cam0/data, cam1/data, perhaps below mav0, as EuRoC has them
  *     side_by_side: pictures that hold both views beside each other
  *     raw_width > 0: a file of 8-bit frames */
-int recording_open(recording *r, const char *where, int side_by_side, int raw_width, int raw_height,
-                   tool_fail *f);
+int recording_open(recording *r, const char *where, int side_by_side, int raw_width, int raw_height, tool_fail *f);
 void recording_close(recording *r);
 
 /* Frame i, grey or B, G, R. The two views have one size. */

@@ -40,8 +40,8 @@ void report_commands(report *r, const char *const *commands, int count);
 int report_picture(report *r, const picture *p, const char *caption, tool_fail *f);
 
 /* Two pictures of one size, the second laid over the first up to a line that the reader moves. */
-int report_slider(report *r, const picture *before, const picture *after, const char *before_name,
-                  const char *after_name, tool_fail *f);
+int report_slider(report *r, const picture *before, const picture *after, const char *before_name, const char *after_name,
+                  tool_fail *f);
 
 /* What the colours of a disparity map and of an error map mean. */
 void report_scale(report *r, int min_disparity, int num_disparities);

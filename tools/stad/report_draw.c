@@ -10,8 +10,7 @@ static void base64(FILE *to, const unsigned char *b, size_t n)
 {
     static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < n; i += 3) {
-        unsigned v =
-            (unsigned)b[i] << 16 | (unsigned)(i + 1 < n ? b[i + 1] : 0) << 8 | (i + 2 < n ? b[i + 2] : 0u);
+        unsigned v = (unsigned)b[i] << 16 | (unsigned)(i + 1 < n ? b[i + 1] : 0) << 8 | (i + 2 < n ? b[i + 2] : 0u);
         fputc(digit[v >> 18], to);
         fputc(digit[v >> 12 & 63], to);
         fputc(i + 1 < n ? digit[v >> 6 & 63] : '=', to);
@@ -45,8 +44,8 @@ int report_picture(report *r, const picture *p, const char *caption, tool_fail *
     return status;
 }
 
-int report_slider(report *r, const picture *before, const picture *after, const char *before_name,
-                  const char *after_name, tool_fail *f)
+int report_slider(report *r, const picture *before, const picture *after, const char *before_name, const char *after_name,
+                  tool_fail *f)
 {
     fputs("<figure><div class=\"pair\">", r->to);
     int status = image(r, before, before_name, f);
@@ -74,16 +73,15 @@ void report_scale(report *r, int min_disparity, int num_disparities)
     for (int i = 0; i < STEPS; i++) {
         uint8_t c[3];
         colour_of((i + 0.5) / STEPS, c);
-        fprintf(r->to, "<rect x=\"%d\" y=\"0\" width=\"%d\" height=\"18\" fill=\"#%02x%02x%02x\"/>",
-                i * WIDTH / STEPS, WIDTH / STEPS + 1, c[0], c[1], c[2]);
+        fprintf(r->to, "<rect x=\"%d\" y=\"0\" width=\"%d\" height=\"18\" fill=\"#%02x%02x%02x\"/>", i * WIDTH / STEPS,
+                WIDTH / STEPS + 1, c[0], c[1], c[2]);
     }
     for (int i = 0; i <= TICKS; i++) {
         double px = min_disparity + (double)i * num_disparities / TICKS;
         int x = i * WIDTH / TICKS;
         fprintf(r->to, "<text x=\"%d\" y=\"34\" text-anchor=\"middle\">%g px</text>", x, px);
         if (r->focal_baseline > 0 && px > 0)
-            fprintf(r->to, "<text x=\"%d\" y=\"52\" text-anchor=\"middle\">%.3g m</text>", x,
-                    r->focal_baseline / px);
+            fprintf(r->to, "<text x=\"%d\" y=\"52\" text-anchor=\"middle\">%.3g m</text>", x, r->focal_baseline / px);
     }
     fputs("</svg>\n<p class=\"soft\">Disparity, far to near; black: none.</p>\n", r->to);
 }
@@ -145,8 +143,7 @@ void report_curve(report *r, const double *cost, int count, const char *name)
 {
     plot p = plot_of(cost, count);
     double best = INFINITY;
-    fprintf(r->to, "<svg class=\"curve\" viewBox=\"-60 -10 %d %d\" width=\"%d\">", PLOT_W + 80, PLOT_H + 50,
-            PLOT_W + 80);
+    fprintf(r->to, "<svg class=\"curve\" viewBox=\"-60 -10 %d %d\" width=\"%d\">", PLOT_W + 80, PLOT_H + 50, PLOT_W + 80);
     for (int i = 0; i <= 4; i++) {
         double v = p.bottom + (p.top - p.bottom) * i / 4, y = plot_y(&p, v);
         fprintf(r->to,
@@ -157,8 +154,8 @@ void report_curve(report *r, const double *cost, int count, const char *name)
     }
     for (int i = 0; i < count; i++)
         if (!isnan(cost[i]))
-            fprintf(r->to, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\" fill=\"var(--soft)\" opacity=\".6\"/>",
-                    plot_x(&p, i), plot_y(&p, cost[i]));
+            fprintf(r->to, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\" fill=\"var(--soft)\" opacity=\".6\"/>", plot_x(&p, i),
+                    plot_y(&p, cost[i]));
     fputs("<polyline fill=\"none\" stroke=\"var(--mark)\" stroke-width=\"2\" points=\"", r->to);
     for (int i = 0; i < count; i++) {
         if (cost[i] < best)

@@ -11,8 +11,7 @@ int report_rig_option(report_rig *r, int is_focal, const char *text, tool_fail *
                     : tool_real("baseline", text, 1e-4, 1e3, &r->baseline_m, f);
 }
 
-static int pictures(report *r, const disparity *d, const truth_map *t, int num_disparities, double threshold,
-                    tool_fail *f)
+static int pictures(report *r, const disparity *d, const truth_map *t, int num_disparities, double threshold, tool_fail *f)
 {
     picture map = {0}, truth = {0}, error = {0};
     int status = colour_disparity(&map, d, num_disparities, f);
@@ -34,13 +33,12 @@ static int pictures(report *r, const disparity *d, const truth_map *t, int num_d
     return status;
 }
 
-int report_eval(const char *path, const char *command, const report_rig *rig, const disparity *d,
-                const truth_map *t, int num_disparities, const measures *m, tool_fail *f)
+int report_eval(const char *path, const char *command, const report_rig *rig, const disparity *d, const truth_map *t,
+                int num_disparities, const measures *m, tool_fail *f)
 {
     static const char *const names[1] = {"measured"};
     report r;
-    int status =
-        report_open(&r, path, "A disparity map against the truth", rig->focal_px * rig->baseline_m, f);
+    int status = report_open(&r, path, "A disparity map against the truth", rig->focal_px * rig->baseline_m, f);
     if (status)
         return status;
     report_measures(&r, m, names, 1);

@@ -44,9 +44,7 @@ static const char script[] = "document.querySelectorAll('.pair').forEach(functio
 static size_t quote(char *to, const char *word)
 {
     size_t n = 0;
-    int plain =
-        *word &&
-        !word[strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%")];
+    int plain = *word && !word[strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%")];
     if (!plain)
         to[n++] = '\'';
     for (; *word; word++) {
@@ -120,8 +118,7 @@ int report_open(report *r, const char *path, const char *title, double focal_bas
 
 int report_close(report *r, int ok, tool_fail *f)
 {
-    fprintf(r->to, "<p class=\"soft\">stad %s</p>\n<script>%s</script>\n</body></html>\n", STAD_VERSION,
-            script);
+    fprintf(r->to, "<p class=\"soft\">stad %s</p>\n<script>%s</script>\n</body></html>\n", STAD_VERSION, script);
     return tool_out_close(&r->out, ok, f);
 }
 
@@ -158,17 +155,16 @@ typedef struct measure_row {
 
 void report_measures(report *r, const measures *m, const char *const *names, int count)
 {
-    static const measure_row rows[] = {
-        {"bad above 0.5 px", offsetof(measures, bad[0]), "%", 100},
-        {"bad above 1 px", offsetof(measures, bad[1]), "%", 100},
-        {"bad above 2 px", offsetof(measures, bad[2]), "%", 100},
-        {"bad above 3 px", offsetof(measures, bad[3]), "%", 100},
-        {"wrong by 1 px, of estimated", offsetof(measures, bad_estimated[1]), "%", 100},
-        {"chow", offsetof(measures, chow), "%", 100},
-        {"D1", offsetof(measures, d1), "%", 100},
-        {"RMSE", offsetof(measures, rmse), "px", 1},
-        {"mean absolute error", offsetof(measures, mae), "px", 1},
-        {"density", offsetof(measures, density), "%", 100}};
+    static const measure_row rows[] = {{"bad above 0.5 px", offsetof(measures, bad[0]), "%", 100},
+                                       {"bad above 1 px", offsetof(measures, bad[1]), "%", 100},
+                                       {"bad above 2 px", offsetof(measures, bad[2]), "%", 100},
+                                       {"bad above 3 px", offsetof(measures, bad[3]), "%", 100},
+                                       {"wrong by 1 px, of estimated", offsetof(measures, bad_estimated[1]), "%", 100},
+                                       {"chow", offsetof(measures, chow), "%", 100},
+                                       {"D1", offsetof(measures, d1), "%", 100},
+                                       {"RMSE", offsetof(measures, rmse), "px", 1},
+                                       {"mean absolute error", offsetof(measures, mae), "px", 1},
+                                       {"density", offsetof(measures, density), "%", 100}};
     fputs("<table><tr><th></th>", r->to);
     for (int i = 0; i < count; i++) {
         fputs("<th>", r->to);

@@ -15,14 +15,12 @@ static double frame_x(const simulation *s, int i)
 
 static void signal_plot(report *r, const simulation *s)
 {
-    fprintf(r->to, "<svg class=\"signal\" viewBox=\"-60 -10 %d %d\" width=\"%d\">", PLOT_W + 80, PLOT_H + 50,
-            PLOT_W + 80);
+    fprintf(r->to, "<svg class=\"signal\" viewBox=\"-60 -10 %d %d\" width=\"%d\">", PLOT_W + 80, PLOT_H + 50, PLOT_W + 80);
     for (int i = 0; i <= 4; i++)
         fprintf(r->to,
                 "<line x1=\"0\" x2=\"%d\" y1=\"%d\" y2=\"%d\" stroke=\"var(--line)\"/><text x=\"-6\" "
                 "y=\"%d\" text-anchor=\"end\">%d %%</text>",
-                PLOT_W, PLOT_H - i * PLOT_H / 4, PLOT_H - i * PLOT_H / 4, PLOT_H - i * PLOT_H / 4 + 4,
-                25 * i);
+                PLOT_W, PLOT_H - i * PLOT_H / 4, PLOT_H - i * PLOT_H / 4, PLOT_H - i * PLOT_H / 4 + 4, 25 * i);
     fputs("<polyline fill=\"none\" stroke=\"var(--mark)\" stroke-width=\"2\" points=\"", r->to);
     for (int i = 0; i < s->row_count; i++)
         if (!s->rows[i].skipped)
@@ -35,10 +33,8 @@ static void signal_plot(report *r, const simulation *s)
                     "stroke-width=\"2\"/>",
                     s->rows[i].skipped ? "skipped" : "alarm", frame_x(s, i), frame_x(s, i), PLOT_H,
                     s->rows[i].skipped ? "#999" : "#d33");
-    fprintf(
-        r->to,
-        "<text x=\"0\" y=\"%d\">frame %d</text><text x=\"%d\" y=\"%d\" text-anchor=\"end\">%d</text></svg>\n",
-        PLOT_H + 18, s->rows[0].frame, PLOT_W, PLOT_H + 18, s->rows[s->row_count - 1].frame);
+    fprintf(r->to, "<text x=\"0\" y=\"%d\">frame %d</text><text x=\"%d\" y=\"%d\" text-anchor=\"end\">%d</text></svg>\n",
+            PLOT_H + 18, s->rows[0].frame, PLOT_W, PLOT_H + 18, s->rows[s->row_count - 1].frame);
     fputs("<p class=\"soft\">Share of firm pixels, which the monitor watches; red: it asks for a "
           "recalibration; grey: a frame that could not "
           "be read.</p>\n",
@@ -105,10 +101,9 @@ static void runs(report *r, const simulation *s)
           r->to);
     for (int i = 0; i < s->run_count; i++) {
         const stad_calib_report *c = &s->runs[i].report;
-        fprintf(r->to,
-                "<tr><td>%d</td><td>%s</td><td>%s</td><td>%s &rarr; %s</td><td>%d</td>",
-                s->runs[i].frame, calib_outcome_name(c->outcome), calib_fault_name(c->fault),
-                verdict(c, c->verdict_before), verdict(c, c->verdict_after), c->evaluations);
+        fprintf(r->to, "<tr><td>%d</td><td>%s</td><td>%s</td><td>%s &rarr; %s</td><td>%d</td>", s->runs[i].frame,
+                calib_outcome_name(c->outcome), calib_fault_name(c->fault), verdict(c, c->verdict_before),
+                verdict(c, c->verdict_after), c->evaluations);
         cost_cell(r, c->tune_before_q20, c->tune_after_q20);
         cost_cell(r, c->judge_before_q20, c->judge_after_q20);
         fprintf(r->to, "<td>%s</td></tr>\n", decision(c->outcome));
@@ -129,12 +124,10 @@ static void correction(report *r, const char *which, const stad_setup *setup)
 static void setups(report *r, const simulation *s)
 {
     const stad_params *in_use = &stad_calib_setup(&s->calib)->params;
-    fputs(
-        "<table><tr><th>parameter</th><th>at the start</th><th>in use at the end</th><th>stored</th></tr>\n",
-        r->to);
+    fputs("<table><tr><th>parameter</th><th>at the start</th><th>in use at the end</th><th>stored</th></tr>\n", r->to);
     for (int i = 0; i < FIELD_COUNT; i++) {
-        fprintf(r->to, "<tr><td>%s</td><td>%ld</td><td>%ld</td>", params_field_name(i),
-                params_get(&s->initial.params, i), params_get(in_use, i));
+        fprintf(r->to, "<tr><td>%s</td><td>%ld</td><td>%ld</td>", params_field_name(i), params_get(&s->initial.params, i),
+                params_get(in_use, i));
         if (s->stored_slot >= 0)
             fprintf(r->to, "<td>%ld</td></tr>\n", params_get(&s->stored.params, i));
         else
@@ -157,8 +150,7 @@ static int straighten(const stad_setup *setup, picture *right, tool_fail *f)
     if (status)
         return status;
     for (int y = 0; y < right->height; y++)
-        stad_rig_row(&setup->rig, &image, y,
-                     out.pix + (size_t)y * (size_t)right->width * (size_t)right->channels);
+        stad_rig_row(&setup->rig, &image, y, out.pix + (size_t)y * (size_t)right->width * (size_t)right->channels);
     picture_free(right);
     *right = out;
     return TOOL_OK;
@@ -209,8 +201,7 @@ int simulate_write_report(simulation *s, tool_fail *f)
     int status = report_open(&r, s->report, "A board, simulated", s->rig.focal_px * s->rig.baseline_m, f);
     if (status)
         return status;
-    fprintf(r.to, "<p>Frames: %d, skipped: %d, alarms: %d, runs: %d.</p>\n", s->row_count, s->skipped, s->alarms,
-            s->run_count);
+    fprintf(r.to, "<p>Frames: %d, skipped: %d, alarms: %d, runs: %d.</p>\n", s->row_count, s->skipped, s->alarms, s->run_count);
     if (s->stopped[0]) {
         fputs("<p>Stopped before the end: ", r.to);
         report_escaped(&r, s->stopped);

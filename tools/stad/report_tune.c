@@ -124,19 +124,17 @@ static void verdict(report *r, const tune_job *j)
             "elsewhere, other scenes must "
             "say: <code>stad match --params</code> and <code>stad eval</code>.</p>\n",
             tune_cost_name(j->how.cost), 100 * j->first.cost, 100 * j->best.cost,
-            j->first.cost > 0 ? 100 * (1 - j->best.cost / j->first.cost) : 0.0,
-            stad_tune_counts_of(&j->tune).evaluations, tune_method_name(j->method), j->seconds,
-            params_mode_name(j->how.mode), j->set.count, j->set.count == 1 ? "" : "s");
+            j->first.cost > 0 ? 100 * (1 - j->best.cost / j->first.cost) : 0.0, stad_tune_counts_of(&j->tune).evaluations,
+            tune_method_name(j->method), j->seconds, params_mode_name(j->how.mode), j->set.count, j->set.count == 1 ? "" : "s");
 }
 
 /* `stad match` with what was found, for the first scene. */
 static void match_command(char *line, size_t room, const tune_job *j)
 {
-    int n = snprintf(line, room, "stad match LEFT RIGHT -o OUT.npy --mode %s%s",
-                     params_mode_name(j->how.mode), j->options.color ? " --color" : "");
+    int n = snprintf(line, room, "stad match LEFT RIGHT -o OUT.npy --mode %s%s", params_mode_name(j->how.mode),
+                     j->options.color ? " --color" : "");
     for (int i = 0; i < FIELD_COUNT && n > 0 && (size_t)n < room; i++)
-        n += snprintf(line + n, room - (size_t)n, " --%s %ld", params_field_option(i),
-                      params_get(&j->best.params, i));
+        n += snprintf(line + n, room - (size_t)n, " --%s %ld", params_field_option(i), params_get(&j->best.params, i));
 }
 
 int report_tune(const char *path, const char *command, const report_rig *rig, tune_job *j, tool_fail *f)

@@ -13,10 +13,9 @@
  * without number. */
 static int frame_of(const char *name, const char **rest)
 {
-    static const char *const words[] = {"left.png",  "right.png", "left.pgm",
-                                        "right.pgm", "disp.pfm",  "nonocc.png"};
-    int numbered = isdigit((unsigned char)name[0]) && isdigit((unsigned char)name[1]) &&
-                   isdigit((unsigned char)name[2]) && name[3] == '_';
+    static const char *const words[] = {"left.png", "right.png", "left.pgm", "right.pgm", "disp.pfm", "nonocc.png"};
+    int numbered =
+        isdigit((unsigned char)name[0]) && isdigit((unsigned char)name[1]) && isdigit((unsigned char)name[2]) && name[3] == '_';
     *rest = numbered ? name + 4 : name;
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
         if (strcmp(*rest, words[i]) == 0)

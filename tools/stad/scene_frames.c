@@ -82,8 +82,7 @@ static void drop_memory(frame_memory *m)
     picture_free(&m->visible);
 }
 
-static void draw(frame_memory *m, const scene_frames *s, const target_scene *scene, const target_camera *c,
-                 int i)
+static void draw(frame_memory *m, const scene_frames *s, const target_scene *scene, const target_camera *c, int i)
 {
     int n = s->width * s->height;
     target_random random;
@@ -137,8 +136,8 @@ int scene_frames_write(const scene_frames *s, tool_fail *f)
     }
     progress_end();
     if (status == TOOL_OK)
-        printf("focal length %.1f px, baseline %.4f m, centre %.1f,%.1f\n", camera.f, camera.baseline / 1000,
-               camera.cx, camera.cy);
+        printf("focal length %.1f px, baseline %.4f m, centre %.1f,%.1f\n", camera.f, camera.baseline / 1000, camera.cx,
+               camera.cy);
     drop_memory(&m);
     return status;
 }

@@ -12,7 +12,7 @@ typedef struct scene_frames {
     double noise;    /* grey levels, largest deviation */
     double drift_dy; /* px that the right camera has sunk, from drift_from on */
     int drift_from;
-    int pgm; /* 1: the views are written as .pgm */
+    int pgm;   /* 1: the views are written as .pgm */
     int share; /* per cent of the image's width that the target takes */
 } scene_frames;
 

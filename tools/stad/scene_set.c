@@ -44,8 +44,7 @@ static const char *path_beside(scene_set *s, const char *list, const char *name)
     return path;
 }
 
-static int take_path(scene_set *s, const cJSON *item, const char *list, int i, const char *key,
-                     const char **path, tool_fail *f)
+static int take_path(scene_set *s, const cJSON *item, const char *list, int i, const char *key, const char **path, tool_fail *f)
 {
     const cJSON *name = cJSON_GetObjectItemCaseSensitive(item, key);
     if (!name && strcmp(key, "mask") == 0)
@@ -111,13 +110,12 @@ static int read_scene(scored_scene *c, int color, tool_fail *f)
     int status = engine_read_pair(&c->left, &c->right, c->left_path, c->right_path, color, f);
     if (status || c->fiducials)
         return status;
-    status = truth_read(&c->truth, c->truth_path, c->truth_scale,
-                        c->min_disparity == INT_MAX ? 0 : c->min_disparity, f);
+    status = truth_read(&c->truth, c->truth_path, c->truth_scale, c->min_disparity == INT_MAX ? 0 : c->min_disparity, f);
     if (status == TOOL_OK && c->mask_path)
         status = truth_mask(&c->truth, c->mask_path, f);
     if (status == TOOL_OK && (c->truth.width != c->left.width || c->truth.height != c->left.height))
-        status = tool_fail_set(f, TOOL_USAGE, "%s is %d x %d, the images are %d x %d", c->truth_path,
-                               c->truth.width, c->truth.height, c->left.width, c->left.height);
+        status = tool_fail_set(f, TOOL_USAGE, "%s is %d x %d, the images are %d x %d", c->truth_path, c->truth.width,
+                               c->truth.height, c->left.width, c->left.height);
     return status;
 }
 
@@ -184,8 +182,7 @@ int scene_cost(scored_scene *c, const stad_params *p, const scoring *how, int32_
     stad_score_config_init(&config, how->cost, p->min_disparity, p->num_disparities);
     config.threshold_q16 = (int32_t)(how->threshold * 65536 + 0.5);
     if (stad_score_begin(&score, &config) != STAD_OK)
-        return tool_fail_set(f, TOOL_USAGE,
-                             "the scorer refuses min_disparity %d, num_disparities %d, threshold %g",
+        return tool_fail_set(f, TOOL_USAGE, "the scorer refuses min_disparity %d, num_disparities %d, threshold %g",
                              p->min_disparity, p->num_disparities, how->threshold);
     status = count(c, &score, f);
     *cost_q20 = status ? STAD_COST_FAILED : stad_score_end(&score);

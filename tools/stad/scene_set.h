@@ -20,8 +20,8 @@ typedef struct scored_scene {
     truth_map truth;
     stad_params base; /* what the search does not vary */
     engine engine;
-    disparity disp; /* of the last run */
-    disparity best; /* kept by scene_keep() */
+    disparity disp;    /* of the last run */
+    disparity best;    /* kept by scene_keep() */
     bad_bounds bounds; /* made when first used */
 } scored_scene;
 

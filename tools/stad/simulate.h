@@ -23,7 +23,7 @@ typedef struct sim_flash {
 /* A frame in the log. */
 typedef struct sim_row {
     int frame, state, phase, fault, skipped;
-    int live; /* enum stad_calib_fault of the frame as the matcher saw it */
+    int live;     /* enum stad_calib_fault of the frame as the matcher saw it */
     double share; /* of considered pixels that are firm; what the monitor watches */
     stad_match_counts counts;
     stad_params params; /* it was matched with */
@@ -84,7 +84,6 @@ int simulate_spell(const simulation *s, int i, int *last);
 
 /* 1 if the monitor was learning still at the last frame: nothing was watched. */
 int simulate_learning(const simulation *s);
-
 
 /* A correction as one says it. */
 typedef struct sim_correction {

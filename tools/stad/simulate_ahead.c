@@ -18,8 +18,8 @@ static int read_frame(ahead_frame *a, tool_fail *f)
     const stad_geometry *g = &a->engine.geometry;
     int status = recording_read(r, a->number, a->job->color, &a->left, &a->right, f);
     if (status == TOOL_OK && (a->left.width != g->width || a->left.height != g->height))
-        status = tool_fail_set(f, TOOL_FILE, "%s: frame %d is %d x %d, those before were %d x %d", r->where,
-                               a->number, a->left.width, a->left.height, g->width, g->height);
+        status = tool_fail_set(f, TOOL_FILE, "%s: frame %d is %d x %d, those before were %d x %d", r->where, a->number,
+                               a->left.width, a->left.height, g->width, g->height);
     return status ? status : degrade_pair(a->job->bad, a->number, &a->left, &a->right, f);
 }
 

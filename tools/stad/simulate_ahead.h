@@ -22,11 +22,11 @@ typedef struct ahead_job {
 
 /* A frame that was done. */
 typedef struct ahead_frame {
-    int number;            /* -1: none */
-    int status;            /* of reading or matching; then `fail` says why */
+    int number; /* -1: none */
+    int status; /* of reading or matching; then `fail` says why */
     tool_fail fail;
-    picture left, right;   /* raw, spoilt as ordered */
-    stad_setup setup;      /* it was matched with */
+    picture left, right; /* raw, spoilt as ordered */
+    stad_setup setup;    /* it was matched with */
     stad_match_counts counts;
     const ahead_job *job;
     engine engine;

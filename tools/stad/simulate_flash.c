@@ -26,8 +26,7 @@ static int erase_sector(void *user, uint32_t offset)
 
 void sim_flash_init(sim_flash *s)
 {
-    const stad_flash flash = {
-        read_bytes, program_bytes, erase_sector, s->bytes, {0, SIM_SECTOR, 2 * SIM_SECTOR}, SIM_SECTOR, 4};
+    const stad_flash flash = {read_bytes, program_bytes, erase_sector, s->bytes, {0, SIM_SECTOR, 2 * SIM_SECTOR}, SIM_SECTOR, 4};
     memset(s->bytes, 0xff, sizeof s->bytes);
     s->flash = flash;
 }

@@ -9,8 +9,7 @@
 sim_correction simulate_correction(const stad_rig *rig)
 {
     const double unit = 16777216.0; /* Q24 */
-    sim_correction c = {rig->a_q16 / 65536.0, rig->b_q24 / unit * 180 / 3.14159265358979,
-                        100 * rig->c_q24 / unit};
+    sim_correction c = {rig->a_q16 / 65536.0, rig->b_q24 / unit * 180 / 3.14159265358979, 100 * rig->c_q24 / unit};
     return c;
 }
 
@@ -18,8 +17,7 @@ static void print_correction(const stad_setup *setup)
 {
     sim_correction c = simulate_correction(&setup->rig);
     if (setup->corrected)
-        printf(", right view corrected by %.2f px, %.2f degrees, %.2f %%", c.dy_px, c.roll_degrees,
-               c.scale_percent);
+        printf(", right view corrected by %.2f px, %.2f degrees, %.2f %%", c.dy_px, c.roll_degrees, c.scale_percent);
 }
 
 static void print_setup(const stad_setup *setup)
@@ -92,8 +90,8 @@ static void print_spell(const simulation *s, int first, int last)
     if (first == last)
         printf("frame %d: camera fault: %s\n", s->rows[first].frame, calib_fault_name(s->rows[first].live));
     else
-        printf("frame %d: camera fault: %s, to frame %d\n", s->rows[first].frame,
-               calib_fault_name(s->rows[first].live), s->rows[last].frame);
+        printf("frame %d: camera fault: %s, to frame %d\n", s->rows[first].frame, calib_fault_name(s->rows[first].live),
+               s->rows[last].frame);
 }
 
 /* Camera faults, alarms and ends of runs, by frame. */
@@ -107,8 +105,7 @@ static void print_events(const simulation *s)
             spell = simulate_spell(s, last + 1, &last);
         }
         if (r->state == STAD_MONITOR_DEGRADED)
-            printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", r->frame,
-                   100 * r->share);
+            printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", r->frame, 100 * r->share);
         while (run < s->run_count && (s->runs[run].frame <= r->frame || i + 1 == s->row_count))
             print_run(&s->runs[run++]);
     }
@@ -140,8 +137,7 @@ int simulate_learning(const simulation *s)
 void simulate_print(const simulation *s)
 {
     const stad_calib_report *now = stad_calib_report_of(&s->calib);
-    printf("%d frames of %d x %d", s->row_count - s->skipped, s->geometry.width,
-           s->geometry.height);
+    printf("%d frames of %d x %d", s->row_count - s->skipped, s->geometry.width, s->geometry.height);
     if (s->skipped)
         printf(", %d skipped", s->skipped);
     printf(", %.1f a second\n", s->seconds > 0 ? (s->row_count - s->skipped) / s->seconds : 0.0);
@@ -169,17 +165,16 @@ int simulate_write_csv(const simulation *s, tool_fail *f)
     int status = tool_out_open(&out, s->csv, f);
     if (status)
         return status;
-    fputs("frame,state,phase,firm_share,considered,firm,valid,rejected_uniqueness,rejected_check",
-          out.stream);
+    fputs("frame,state,phase,firm_share,considered,firm,valid,rejected_uniqueness,rejected_check", out.stream);
     for (int k = 0; k < FIELD_COUNT; k++)
         fprintf(out.stream, ",%s", params_field_name(k));
     fputs(",fault,live_fault\n", out.stream);
     for (int i = 0; i < s->row_count; i++) {
         const sim_row *r = &s->rows[i];
         const stad_match_counts *c = &r->counts;
-        fprintf(out.stream, "%d,%s,%s,%.5f,%d,%d,%d,%d,%d", r->frame,
-                r->skipped ? "skipped" : calib_state_name(r->state), calib_phase_name(r->phase),
-                r->share, c->considered, c->firm, c->valid, c->rejected_uniqueness, c->rejected_check);
+        fprintf(out.stream, "%d,%s,%s,%.5f,%d,%d,%d,%d,%d", r->frame, r->skipped ? "skipped" : calib_state_name(r->state),
+                calib_phase_name(r->phase), r->share, c->considered, c->firm, c->valid, c->rejected_uniqueness,
+                c->rejected_check);
         for (int k = 0; k < FIELD_COUNT; k++)
             fprintf(out.stream, ",%ld", params_get(&r->params, k));
         fprintf(out.stream, ",%s,%s\n", calib_fault_name(r->fault), calib_fault_name(r->live));
@@ -213,8 +208,8 @@ static cJSON *verdict_json(const stad_calib_report *c, int verdict)
 
 static void add_cost(cJSON *o, const char *name, int32_t cost_q20)
 {
-    cJSON_AddItemToObject(o, name, simulate_is_measured(cost_q20) ? cJSON_CreateNumber((double)cost_q20 / STAD_COST_ONE)
-                                                         : cJSON_CreateNull());
+    cJSON_AddItemToObject(
+        o, name, simulate_is_measured(cost_q20) ? cJSON_CreateNumber((double)cost_q20 / STAD_COST_ONE) : cJSON_CreateNull());
 }
 
 static void add_report(cJSON *o, const stad_calib_report *c)

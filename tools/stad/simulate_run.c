@@ -21,8 +21,8 @@ static int at_least(int v, int least)
 
 static stad_geometry geometry_of(const simulation *s, const stad_params *p, const picture *left)
 {
-    stad_geometry g = engine_geometry(p, match_options_mode(&s->options), s->options.memory, left->width,
-                                      left->height, left->channels);
+    stad_geometry g =
+        engine_geometry(p, match_options_mode(&s->options), s->options.memory, left->width, left->height, left->channels);
     g.max_block_size = (int16_t)at_least(g.max_block_size, MAX_BLOCK);
     g.max_p2 = (int16_t)at_least(g.max_p2, MAX_P2);
     g.max_pre_filter_cap = (int16_t)at_least(g.max_pre_filter_cap, MAX_CAP);
@@ -32,7 +32,8 @@ static stad_geometry geometry_of(const simulation *s, const stad_params *p, cons
 static int start_calib(simulation *s, const stad_geometry *g, const picture *left, tool_fail *f)
 {
     stad_calib_config config;
-    stad_camera camera = tool_camera(s->rig.focal_px > 0 ? s->rig.focal_px : left->width, s->cx, s->cy, left->width, left->height);
+    stad_camera camera =
+        tool_camera(s->rig.focal_px > 0 ? s->rig.focal_px : left->width, s->cx, s->cy, left->width, left->height);
     stad_calib_config_default(&config, g, stad_target_relief(), &camera);
     config.cost = (uint8_t)s->cost;
     if (s->budget)
@@ -43,8 +44,7 @@ static int start_calib(simulation *s, const stad_geometry *g, const picture *lef
         config.probation_frames = (int16_t)s->probation_frames;
     int status = stad_calib_init(&s->calib, &config, &s->initial);
     if (status != STAD_OK)
-        return tool_fail_set(f, TOOL_USAGE,
-                             "the calibration cannot be set up for these frames and parameters: %s",
+        return tool_fail_set(f, TOOL_USAGE, "the calibration cannot be set up for these frames and parameters: %s",
                              stad_status_name(status));
     return TOOL_OK;
 }
@@ -56,8 +56,7 @@ static int take_work(simulation *s, const stad_geometry *g, tool_fail *f)
     if (posix_memalign(&s->work, STAD_ALIGN, s->work_bytes))
         s->work = NULL;
     s->rows = calloc((size_t)s->frames.count, sizeof *s->rows);
-    return s->work && s->rows ? TOOL_OK
-                              : tool_fail_set(f, TOOL_FILE, "not enough memory for the simulated board");
+    return s->work && s->rows ? TOOL_OK : tool_fail_set(f, TOOL_FILE, "not enough memory for the simulated board");
 }
 
 /* Everything that the first frame's size decides. */
@@ -106,8 +105,7 @@ static int hold(picture *to, const picture *from, tool_fail *f)
     return status;
 }
 
-static int give_frame(simulation *s, const stad_request *r, const picture *left, const picture *right,
-                      tool_fail *f)
+static int give_frame(simulation *s, const stad_request *r, const picture *left, const picture *right, tool_fail *f)
 {
     const stad_image l = picture_view(left), rt = picture_view(right);
     if (stad_calib_frame(&s->calib, &l, &rt, s->work, s->work_bytes) != 1)
@@ -119,8 +117,7 @@ static int give_frame(simulation *s, const stad_request *r, const picture *left,
 static void evaluate(simulation *s, const stad_request *r)
 {
     const stad_image l = picture_view(&s->held[r->hold][0]), rt = picture_view(&s->held[r->hold][1]);
-    stad_calib_cost(&s->calib,
-                    stad_calib_evaluate(&s->calib, r, &s->evaluator, &l, &rt, s->work, s->work_bytes));
+    stad_calib_cost(&s->calib, stad_calib_evaluate(&s->calib, r, &s->evaluator, &l, &rt, s->work, s->work_bytes));
 }
 
 /* Notes an outcome when it appears; it is `none` again while the next run is under way. */
@@ -138,8 +135,7 @@ static void note_run(simulation *s, int frame)
 }
 
 /* Does what is asked for, up to so many evaluations; the pictures are this frame's, or NULL when there is none. */
-static int serve(simulation *s, int frame, const picture *left, const picture *right, long evaluations,
-                 tool_fail *f)
+static int serve(simulation *s, int frame, const picture *left, const picture *right, long evaluations, tool_fail *f)
 {
     stad_request r;
     int status = TOOL_OK, given = 0;
@@ -206,8 +202,7 @@ static void show_progress(const simulation *s, int done, double start)
 {
     double seconds = tool_seconds() - start, rate = seconds > 0 ? done / seconds : 0;
     progress_line("%d / %d frames, %.1f a second, %.0f s left, %s", done, s->frames.count, rate,
-                  rate > 0 ? (s->frames.count - done) / rate : 0.0,
-                  calib_phase_name(stad_calib_report_of(&s->calib)->phase));
+                  rate > 0 ? (s->frames.count - done) / rate : 0.0, calib_phase_name(stad_calib_report_of(&s->calib)->phase));
 }
 
 /* The first frame that can be read decides the size. */
@@ -231,8 +226,7 @@ static int first_frame(simulation *s, tool_fail *f)
 static int check_apart(const simulation *s, tool_fail *f)
 {
     const recording *r = &s->frames;
-    const char *const outs[] = {s->csv, s->json, s->report}, *const files[] = {s->where,
-                                                                               s->options.params_path};
+    const char *const outs[] = {s->csv, s->json, s->report}, *const files[] = {s->where, s->options.params_path};
     int status = tool_out_apart(outs, 3, files, 2, f);
     for (int i = 0; i < r->count && r->left && status == TOOL_OK; i++) {
         const char *const ins[] = {r->left[i], r->right ? r->right[i] : NULL};
@@ -246,8 +240,7 @@ static int check_numbers(const simulation *s, tool_fail *f)
 {
     long count = s->limit && s->limit < s->frames.count ? s->limit : s->frames.count;
     if (s->calibrate_at >= count)
-        return tool_fail_set(f, TOOL_USAGE, "--calibrate-at %ld: the frames are 0..%ld", s->calibrate_at,
-                             count - 1);
+        return tool_fail_set(f, TOOL_USAGE, "--calibrate-at %ld: the frames are 0..%ld", s->calibrate_at, count - 1);
     if (s->bad.from >= count)
         return tool_fail_set(f, TOOL_USAGE, "--from %d: the frames are 0..%ld", s->bad.from, count - 1);
     return TOOL_OK;
@@ -257,8 +250,7 @@ static int check_interrupt(const simulation *s, tool_fail *f)
 {
     if (!interrupt_seen())
         return TOOL_OK;
-    return tool_fail_set(f, 128 + interrupt_seen(), "interrupted after %d of %d frames", s->row_count,
-                         s->frames.count);
+    return tool_fail_set(f, 128 + interrupt_seen(), "interrupted after %d of %d frames", s->row_count, s->frames.count);
 }
 
 /* The frames one by one, to the last, to the first that fails, or to a signal. */
@@ -296,8 +288,7 @@ int simulate_run(simulation *s, tool_fail *f)
     if (status == TOOL_OK)
         status = play_all(s, start, f);
     if (status == TOOL_OK)
-        status = serve(s, s->frames.count - 1, NULL, NULL, STAD_TUNE_LOG,
-                       f); /* a run under way needs no frame to be finished */
+        status = serve(s, s->frames.count - 1, NULL, NULL, STAD_TUNE_LOG, f); /* a run under way needs no frame to be finished */
     if (status == TOOL_OK)
         status = check_interrupt(s, f);
     if (status)

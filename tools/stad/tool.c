@@ -59,16 +59,14 @@ int tool_whole(const char *option, const char *text, long lo, long hi, long *val
     errno = 0;
     *value = strtol(text, &end, 10);
     if (end == text || *end || errno || *value < lo || *value > hi)
-        return tool_fail_set(f, TOOL_USAGE, "--%s %s: must be a whole number in %ld..%ld", option, text, lo,
-                             hi);
+        return tool_fail_set(f, TOOL_USAGE, "--%s %s: must be a whole number in %ld..%ld", option, text, lo, hi);
     return TOOL_OK;
 }
 
 int tool_refuse_vain(const tool_vain *list, int count, unsigned long long given, tool_fail *f)
 {
     for (int i = 0; i < count; i++)
-        if ((given & list[i].option) &&
-            ((given & list[i].when) || (list[i].unless && !(given & list[i].unless))))
+        if ((given & list[i].option) && ((given & list[i].when) || (list[i].unless && !(given & list[i].unless))))
             return tool_fail_set(f, TOOL_USAGE, "%s", list[i].says);
     return TOOL_OK;
 }

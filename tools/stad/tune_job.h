@@ -26,7 +26,7 @@ typedef struct tune_job {
     unsigned free_mask;
     long max_evals; /* 0: the library's own */
     long seed;
-    long share;     /* frames whose winners are kept */
+    long share; /* frames whose winners are kept */
     scoring how;
     scene_set set;
     stad_tune tune;

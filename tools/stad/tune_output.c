@@ -9,11 +9,9 @@
 
 static void print_point(const char *name, const tune_point *p)
 {
-    printf("%-6s %8.3f %% %8.3f %% %8.4f px %7.2f %%   ", name, 100 * p->bad, 100 * p->chow, p->rmse,
-           100 * p->density);
+    printf("%-6s %8.3f %% %8.3f %% %8.4f px %7.2f %%   ", name, 100 * p->bad, 100 * p->chow, p->rmse, 100 * p->density);
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
-        printf("%s%s %ld", i ? ", " : "", params_field_name(tune_field(i)),
-               params_get(&p->params, tune_field(i)));
+        printf("%s%s %ld", i ? ", " : "", params_field_name(tune_field(i)), params_get(&p->params, tune_field(i)));
     putchar('\n');
 }
 
@@ -23,9 +21,8 @@ void tune_print(const tune_job *j)
     printf("%-6s %10s %10s %11s %9s\n", "", "bad", "chow", "rmse", "density");
     print_point("start", &j->first);
     print_point("best", &j->best);
-    printf("%s on %s: %.1f %% lower, %d evaluations, %.1f s\n", tune_method_name(j->method),
-           tune_cost_name(j->how.cost), j->first.cost > 0 ? 100 * (1 - j->best.cost / j->first.cost) : 0.0,
-           n.evaluations, j->seconds);
+    printf("%s on %s: %.1f %% lower, %d evaluations, %.1f s\n", tune_method_name(j->method), tune_cost_name(j->how.cost),
+           j->first.cost > 0 ? 100 * (1 - j->best.cost / j->first.cost) : 0.0, n.evaluations, j->seconds);
 }
 
 static cJSON *point_json(const tune_point *p)
@@ -50,12 +47,10 @@ static cJSON *trace_json(const stad_tune *t)
         cJSON *row = cJSON_CreateArray();
         best = cost < best ? cost : best;
         cJSON_AddItemToArray(row, cJSON_CreateNumber(i + 1));
-        cJSON_AddItemToArray(row, cost == STAD_COST_FAILED
-                                      ? cJSON_CreateNull()
-                                      : cJSON_CreateNumber((double)cost / STAD_COST_ONE));
-        cJSON_AddItemToArray(row, best == STAD_COST_FAILED
-                                      ? cJSON_CreateNull()
-                                      : cJSON_CreateNumber((double)best / STAD_COST_ONE));
+        cJSON_AddItemToArray(row,
+                             cost == STAD_COST_FAILED ? cJSON_CreateNull() : cJSON_CreateNumber((double)cost / STAD_COST_ONE));
+        cJSON_AddItemToArray(row,
+                             best == STAD_COST_FAILED ? cJSON_CreateNull() : cJSON_CreateNumber((double)best / STAD_COST_ONE));
         cJSON_AddItemToArray(list, row);
     }
     return list;
@@ -109,8 +104,8 @@ int tune_write_header(const tune_job *j, tool_fail *f)
             "%.2f %%. */\n"
             "#ifndef STAD_TUNED_PARAMS_H\n#define STAD_TUNED_PARAMS_H\n\n#include <stad/params.h>\n\n"
             "#define STAD_TUNED_MODE %d /* %s */\n\nstatic const stad_params stad_tuned_params = {\n",
-            tune_method_name(j->method), tune_cost_name(j->how.cost), 100 * j->best.cost, 100 * j->first.cost,
-            100 * j->best.bad, 100 * j->best.density, j->how.mode, params_mode_name(j->how.mode));
+            tune_method_name(j->method), tune_cost_name(j->how.cost), 100 * j->best.cost, 100 * j->first.cost, 100 * j->best.bad,
+            100 * j->best.density, j->how.mode, params_mode_name(j->how.mode));
     for (int i = 0; i < FIELD_COUNT; i++)
         fprintf(out.stream, "    %ld, /* %s */\n", params_get(&j->best.params, i), params_field_name(i));
     fputs("};\n\n#endif\n", out.stream);

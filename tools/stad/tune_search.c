@@ -85,8 +85,7 @@ static void configure(const tune_job *j, stad_tune_config *c, const stad_point *
 /* A matcher with room for every point that the search may ask for. */
 static int open_engine(const tune_job *j, scored_scene *c, const stad_tune_config *config, tool_fail *f)
 {
-    stad_geometry g = engine_geometry(&c->base, j->how.mode, j->how.memory, c->left.width, c->left.height,
-                                      c->left.channels);
+    stad_geometry g = engine_geometry(&c->base, j->how.mode, j->how.memory, c->left.width, c->left.height, c->left.channels);
     g.max_block_size = config->axis[STAD_TUNE_BLOCK_SIZE].hi;
     g.max_p2 = config->axis[STAD_TUNE_P2].hi;
     g.max_pre_filter_cap = config->axis[STAD_TUNE_PRE_FILTER_CAP].hi;
@@ -135,8 +134,7 @@ static int prepare(tune_job *j, tool_fail *f)
         return status;
     stad_point start = point_of(&j->set.scene[0].base);
     configure(j, &config, &start);
-    if (stad_tune_config_check(&config, &culprit) != STAD_OK ||
-        stad_tune_init(&j->tune, &config, &start) != STAD_OK)
+    if (stad_tune_config_check(&config, &culprit) != STAD_OK || stad_tune_init(&j->tune, &config, &start) != STAD_OK)
         return tool_fail_set(f, TOOL_USAGE, "the tuner refuses %s", culprit ? culprit : "its configuration");
     for (int i = 0; i < j->set.count && status == TOOL_OK; i++)
         status = open_engine(j, &j->set.scene[i], &config, f);
@@ -191,9 +189,8 @@ static int take_start(tune_job *j, const stad_point *x, int32_t *cost_q20, tool_
 {
     int status = cost_at(j, x, cost_q20, f);
     if (status == TOOL_OK && *cost_q20 == STAD_COST_FAILED)
-        status = tool_fail_set(
-            f, TOOL_USAGE,
-            "no pixel of a scene can be scored: the truth lies left of column min + num disparities");
+        status = tool_fail_set(f, TOOL_USAGE,
+                               "no pixel of a scene can be scored: the truth lies left of column min + num disparities");
     if (status)
         return status;
     keep_all(j);
@@ -205,8 +202,8 @@ static void show_progress(const tune_job *j)
     int32_t best;
     stad_tune_counts n = stad_tune_counts_of(&j->tune);
     if (stad_tune_best(&j->tune, NULL, &best) == STAD_OK)
-        progress_line("%3d / %d evaluations, %s %.3f %%", n.evaluations, j->tune.config.budget,
-                      tune_cost_name(j->how.cost), 100.0 * best / STAD_COST_ONE);
+        progress_line("%3d / %d evaluations, %s %.3f %%", n.evaluations, j->tune.config.budget, tune_cost_name(j->how.cost),
+                      100.0 * best / STAD_COST_ONE);
 }
 
 /* Asks, evaluates and tells until the search ends. The best is the earliest of equals; its maps are kept. */

@@ -19,10 +19,10 @@
 enum story_pose { STORY_POSES = 4 };
 
 typedef struct story_world {
-    float *view[STORY_POSES][2];    /* as the lens makes them, left and right */
+    float *view[STORY_POSES][2]; /* as the lens makes them, left and right */
     int32_t *truth_q16[STORY_POSES];
-    uint8_t *rest[STORY_POSES];     /* labels outside the target */
-    int disturbed;                  /* 1: right camera turned and shifted, dim and noisy light */
+    uint8_t *rest[STORY_POSES]; /* labels outside the target */
+    int disturbed;              /* 1: right camera turned and shifted, dim and noisy light */
     target_random random;
 } story_world;
 
@@ -56,8 +56,8 @@ typedef struct story_board {
     int matches, frames, saves;
 } story_board;
 
-int story_board_start(story_board *b, tool_fail *f);  /* power on, with a factory setup in flash */
-int story_board_reset(story_board *b);                /* RAM is lost; flash is read. Returns the slot. */
+int story_board_start(story_board *b, tool_fail *f); /* power on, with a factory setup in flash */
+int story_board_reset(story_board *b);               /* RAM is lost; flash is read. Returns the slot. */
 void story_board_free(story_board *b);
 
 /* The right view through a correction, into `out` (allocated). */
@@ -74,16 +74,17 @@ int story_board_turn(story_board *b, story_world *w);
 #define STORY_FAULTS 7
 
 typedef struct story_fault {
-    const char *name;   /* what is wrong */
-    int live, fault;    /* enum stad_calib_fault: of live frames at once, NONE where it takes marks; of the run's frames */
-    int outcome;        /* enum stad_calib_outcome: of the run */
-    int adopted;        /* 1: the setup in use has changed */
+    const char *name; /* what is wrong */
+    int live, fault;  /* enum stad_calib_fault: of live frames at once, NONE where it takes marks; of the run's frames */
+    int outcome;      /* enum stad_calib_outcome: of the run */
+    int adopted;      /* 1: the setup in use has changed */
 } story_fault;
 
 /* The board from reset, and a run in front of cameras with fault `kind` to its end. A negative status: no setup. */
 int story_fault_of(story_board *b, story_world *w, int kind, story_frame *frame, story_fault *told);
 
 /* Bad share outside the target, percent, of a setup on a frame; the disparities go to *d unless NULL. */
-double story_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_params *p, const stad_rig *rig, disparity *d);
+double story_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_params *p, const stad_rig *rig,
+                 disparity *d);
 
 #endif

@@ -64,8 +64,7 @@ int story_board_reset(story_board *b)
 
 static int take_memory(story_board *b, tool_fail *f)
 {
-    size_t frame = stad_calib_frame_bytes(STORY_WIDTH, STORY_HEIGHT),
-           match = stad_calib_evaluate_bytes(&b->geometry);
+    size_t frame = stad_calib_frame_bytes(STORY_WIDTH, STORY_HEIGHT), match = stad_calib_evaluate_bytes(&b->geometry);
     b->work_bytes = (frame > match ? frame : match) / STAD_ALIGN * STAD_ALIGN + STAD_ALIGN;
     if (posix_memalign(&b->work, STAD_ALIGN, b->work_bytes) != 0)
         return tool_fail_set(f, TOOL_FILE, "no memory");
@@ -78,15 +77,9 @@ static int take_memory(story_board *b, tool_fail *f)
 
 int story_board_start(story_board *b, tool_fail *f)
 {
-    const stad_geometry g = {STORY_WIDTH,    STORY_HEIGHT,    1, STORY_DISPARITIES, 11, 8192, 127,
-                             STAD_MODE_SGBM, STAD_MEMORY_FAST};
-    const stad_flash flash = {flash_read,
-                              flash_program,
-                              flash_erase,
-                              b->flash_bytes,
-                              {0, STORY_SECTOR, 2 * STORY_SECTOR},
-                              STORY_SECTOR,
-                              8};
+    const stad_geometry g = {STORY_WIDTH, STORY_HEIGHT, 1, STORY_DISPARITIES, 11, 8192, 127, STAD_MODE_SGBM, STAD_MEMORY_FAST};
+    const stad_flash flash = {
+        flash_read, flash_program, flash_erase, b->flash_bytes, {0, STORY_SECTOR, 2 * STORY_SECTOR}, STORY_SECTOR, 8};
     stad_setup setup = factory_setup();
     b->geometry = g;
     b->flash = flash;
@@ -117,8 +110,7 @@ void story_correct(const stad_rig *rig, const picture *right, picture *out)
         stad_rig_row(rig, &raw, y, out->pix + (size_t)y * (size_t)raw.width);
 }
 
-static int match(story_board *b, const story_frame *frame, const stad_params *p, const stad_rig *rig,
-                 disparity *d)
+static int match(story_board *b, const story_frame *frame, const stad_params *p, const stad_rig *rig, disparity *d)
 {
     tool_fail f = {TOOL_OK, ""};
     picture corrected;
@@ -142,8 +134,8 @@ int story_board_live(story_board *b, const story_frame *frame)
     return stad_calib_counts(&b->calib, stad_match_counts_of(&b->engine.match));
 }
 
-double story_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_params *p,
-                 const stad_rig *rig, disparity *out)
+double story_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_params *p, const stad_rig *rig,
+                 disparity *out)
 {
     disparity d;
     stad_score score;
@@ -155,8 +147,7 @@ double story_bad(story_board *b, const story_world *w, const story_frame *frame,
     stad_score_begin(&score, &config);
     for (int y = 0; y < STORY_HEIGHT; y++) {
         const ptrdiff_t at = (ptrdiff_t)y * STORY_WIDTH;
-        stad_score_row(&score, y, d.q4 + at, w->truth_q16[frame->pose] + at, w->rest[frame->pose] + at,
-                       STORY_WIDTH);
+        stad_score_row(&score, y, d.q4 + at, w->truth_q16[frame->pose] + at, w->rest[frame->pose] + at, STORY_WIDTH);
     }
     if (out)
         *out = d;
@@ -206,8 +197,7 @@ int story_board_turn(story_board *b, story_world *w)
     } else if (want == STAD_WANT_MATCH) {
         const story_frame *frame = &b->held[r.hold];
         const stad_image left = picture_view(&frame->left), right = picture_view(&frame->right);
-        stad_calib_cost(&b->calib, stad_calib_evaluate(&b->calib, &r, &b->evaluator, &left, &right, b->work,
-                                                       b->work_bytes));
+        stad_calib_cost(&b->calib, stad_calib_evaluate(&b->calib, &r, &b->evaluator, &left, &right, b->work, b->work_bytes));
         b->matches++;
     } else if (want == STAD_WANT_SAVE) {
         stad_calib_saved(&b->calib, stad_store_save(&b->flash, stad_calib_setup(&b->calib)));

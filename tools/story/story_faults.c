@@ -44,8 +44,12 @@ static void rows_shifted(story_frame *f)
 static const struct {
     const char *name;
     void (*spoil)(story_frame *); /* NULL: the same frame again and again */
-} kinds[STORY_FAULTS] = {{"black", black},       {"saturated", saturated}, {"frozen", NULL},
-                         {"swapped", swapped},   {"one dead", one_dead},   {"one for both", one_for_both},
+} kinds[STORY_FAULTS] = {{"black", black},
+                         {"saturated", saturated},
+                         {"frozen", NULL},
+                         {"swapped", swapped},
+                         {"one dead", one_dead},
+                         {"one for both", one_for_both},
                          {"rows shifted", rows_shifted}};
 
 /* A run in front of such cameras, to its end. */

@@ -45,8 +45,7 @@ static int write_maps(telling *t, const chapter *c, disparity *d, const story_fr
 }
 
 /* Mean over five frames of the bad share outside the target; the last one's map is kept. */
-static int look(telling *t, chapter *c, const char *name, story_world *w, const stad_params *p,
-                const stad_rig *rig)
+static int look(telling *t, chapter *c, const char *name, story_world *w, const stad_params *p, const stad_rig *rig)
 {
     disparity d;
     c->name = name;
@@ -84,8 +83,8 @@ static const char *verdict_name(int v)
 
 static void tell_params(const char *what, const stad_params *p)
 {
-    printf("  %s: p1 %d p2 %d block %d uniqueness %d cap %d disp12 %d\n", what, p->p1, p->p2, p->block_size,
-           p->uniqueness_ratio, p->pre_filter_cap, p->disp12_max_diff);
+    printf("  %s: p1 %d p2 %d block %d uniqueness %d cap %d disp12 %d\n", what, p->p1, p->p2, p->block_size, p->uniqueness_ratio,
+           p->pre_filter_cap, p->disp12_max_diff);
 }
 
 /* Turns the pump until it rests, with live frames where it watches. */
@@ -141,9 +140,8 @@ static int write_summary(telling *t, const stad_calib_report *r, int restored)
             "{\"healthy\": {\"bad\": %.2f}, \"disturbed\": {\"bad\": %.2f}, \"corrected\": {\"bad\": %.2f}, "
             "\"after\": {\"bad\": %.2f},\n"
             " \"verdict_before\": \"%s\", \"verdict_after\": \"%s\", \"adopted\": %s, \"restored\": %s,\n",
-            t->healthy_map.bad, t->disturbed_map.bad, t->corrected_map.bad, t->after_map.bad,
-            verdict_name(r->verdict_before), verdict_name(r->verdict_after),
-            r->outcome == STAD_CALIB_ADOPTED ? "true" : "false", restored ? "true" : "false");
+            t->healthy_map.bad, t->disturbed_map.bad, t->corrected_map.bad, t->after_map.bad, verdict_name(r->verdict_before),
+            verdict_name(r->verdict_after), r->outcome == STAD_CALIB_ADOPTED ? "true" : "false", restored ? "true" : "false");
     write_faults(t, out.stream);
     fprintf(out.stream, " \"evaluations\": %d, \"frames\": %d}\n", r->evaluations, t->board.frames);
     return tool_out_close(&out, 1, &t->fail);
@@ -166,8 +164,7 @@ static int tell(telling *t)
     work(t, &t->disturbed);
     stad_calib_report r = *stad_calib_report_of(c);
     stad_setup adopted = *stad_calib_setup(c);
-    printf("  rig %s -> %s, %d evaluations", verdict_name(r.verdict_before), verdict_name(r.verdict_after),
-           r.evaluations);
+    printf("  rig %s -> %s, %d evaluations", verdict_name(r.verdict_before), verdict_name(r.verdict_after), r.evaluations);
     if (r.judge_before_q20 >= 0) /* measured */
         printf("; on the other pose %.1f %% -> %.1f %%", r.judge_before_q20 / 10485.76, r.judge_after_q20 / 10485.76);
     printf("; outcome: %s\n", calib_outcome_name(r.outcome));
@@ -177,10 +174,8 @@ static int tell(telling *t)
         look(t, &t->after_map, "after", &t->disturbed, &adopted.params, &adopted.rig) != TOOL_OK)
         return t->fail.status;
     int slot = story_board_reset(&t->board);
-    int restored =
-        slot >= 0 && slot != STAD_SLOT_FACTORY && memcmp(&adopted, stad_calib_setup(c), sizeof adopted) == 0;
-    printf("\nafter a reset the setup comes from slot %d: %s\n", slot,
-           restored ? "the adopted one" : "NOT the adopted one");
+    int restored = slot >= 0 && slot != STAD_SLOT_FACTORY && memcmp(&adopted, stad_calib_setup(c), sizeof adopted) == 0;
+    printf("\nafter a reset the setup comes from slot %d: %s\n", slot, restored ? "the adopted one" : "NOT the adopted one");
     int told = fail_cameras(t);
     if (write_summary(t, &r, restored) != TOOL_OK)
         return t->fail.status;

@@ -63,9 +63,9 @@ enum stad_want {
 
 /* A wish of the calibration. */
 typedef struct stad_request {
-    uint8_t want; /* enum stad_want */
-    uint8_t hold; /* FRAME: the buffer (0, 1) that the pair goes to if it is kept; MATCH: the buffer to match */
-    stad_box box; /* MATCH: the same box of the left and of the corrected right frame */
+    uint8_t want;       /* enum stad_want */
+    uint8_t hold;       /* FRAME: the buffer (0, 1) that the pair goes to if it is kept; MATCH: the buffer to match */
+    stad_box box;       /* MATCH: the same box of the left and of the corrected right frame */
     stad_params params; /* MATCH */
     stad_rig rig;       /* MATCH: the correction to apply to the right frame first; the identity = none */
 } stad_request;
@@ -83,25 +83,25 @@ enum stad_rule {
 
 /* What a calibration is told. Start from stad_calib_config_default(). */
 typedef struct stad_calib_config {
-    stad_geometry geometry;    /* of the live matcher: no set is asked for that would not fit it */
-    const stad_target *target; /* stad_target_relief(), or a constant table of your own */
-    stad_camera camera;        /* both views' */
+    stad_geometry geometry;      /* of the live matcher: no set is asked for that would not fit it */
+    const stad_target *target;   /* stad_target_relief(), or a constant table of your own */
+    stad_camera camera;          /* both views' */
     stad_monitor_config monitor; /* when to ask for a run */
-    uint32_t ids;             /* bit i: mark i may be used; default all of the target's */
-    int16_t margin_px;        /* stad_truth_init()'s; default 1 */
-    int16_t pose_px;          /* mean move of the corners that makes another pose; default 6 */
-    int16_t patience;         /* frames in vain before a run is given up; default 60 */
-    int16_t probation_frames; /* live frames after adoption before the second look; default 64; 0 = none */
-    int16_t budget;           /* evaluations a run, picks and judgements included; 4..240, default 70 */
-    int16_t min_block_size;   /* smallest block that is tried; default 3 */
-    int32_t threshold_q16;    /* error that counts as wrong; default 1 px */
-    int32_t penalty_q16;      /* lambda: per squared octave from the start; default .01 */
-    int32_t gain_q20;         /* smallest gain the judge must see; default 2 points of 100 */
-    uint8_t cost;             /* enum stad_score_cost: STAD_SCORE_BAD (default) or STAD_SCORE_CHOW */
-    uint8_t rule;             /* enum stad_rule */
-    uint8_t preset_mask;      /* bit i: preset i may be picked; default all */
-    uint8_t tunes;            /* 0: only pick among the presets; default 1 */
-    uint8_t still;            /* 1: identical frames are no fault (recordings without noise); default 0 */
+    uint32_t ids;                /* bit i: mark i may be used; default all of the target's */
+    int16_t margin_px;           /* stad_truth_init()'s; default 1 */
+    int16_t pose_px;             /* mean move of the corners that makes another pose; default 6 */
+    int16_t patience;            /* frames in vain before a run is given up; default 60 */
+    int16_t probation_frames;    /* live frames after adoption before the second look; default 64; 0 = none */
+    int16_t budget;              /* evaluations a run, picks and judgements included; 4..240, default 70 */
+    int16_t min_block_size;      /* smallest block that is tried; default 3 */
+    int32_t threshold_q16;       /* error that counts as wrong; default 1 px */
+    int32_t penalty_q16;         /* lambda: per squared octave from the start; default .01 */
+    int32_t gain_q20;            /* smallest gain the judge must see; default 2 points of 100 */
+    uint8_t cost;                /* enum stad_score_cost: STAD_SCORE_BAD (default) or STAD_SCORE_CHOW */
+    uint8_t rule;                /* enum stad_rule */
+    uint8_t preset_mask;         /* bit i: preset i may be picked; default all */
+    uint8_t tunes;               /* 0: only pick among the presets; default 1 */
+    uint8_t still;               /* 1: identical frames are no fault (recordings without noise); default 0 */
 } stad_calib_config;
 
 /* -- what it says ------------------------------------------------------------------------------------------------ */
@@ -109,12 +109,12 @@ typedef struct stad_calib_config {
 /* Where a run stands. */
 enum stad_calib_phase {
     STAD_CALIB_IDLE = 0,
-    STAD_CALIB_LOOK = 1,      /* for marks: the tuning frame */
-    STAD_CALIB_OTHER = 2,     /* for the target in another pose */
-    STAD_CALIB_CONFIRM = 3,   /* the correction, on a few fresh frames */
-    STAD_CALIB_PICK = 4,      /* presets on the tuning frame */
+    STAD_CALIB_LOOK = 1,    /* for marks: the tuning frame */
+    STAD_CALIB_OTHER = 2,   /* for the target in another pose */
+    STAD_CALIB_CONFIRM = 3, /* the correction, on a few fresh frames */
+    STAD_CALIB_PICK = 4,    /* presets on the tuning frame */
     STAD_CALIB_TUNE = 5,
-    STAD_CALIB_JUDGE = 6,     /* on the other pose */
+    STAD_CALIB_JUDGE = 6, /* on the other pose */
     STAD_CALIB_SAVE = 7,
     STAD_CALIB_PROBATION = 8, /* live frames */
     STAD_CALIB_RECHECK = 9,   /* a frame with marks to compare new and old */
@@ -181,9 +181,9 @@ typedef struct stad_calib_report {
 /* A frame that is held by the application, as far as calib remembers it. */
 typedef struct stad_calib_pose {
     stad_pair pairs[STAD_CALIB_PAIRS]; /* raw */
-    int32_t count; /* of them */
-    stad_truth truth; /* of the crop, after correction */
-    stad_box box; /* the crop */
+    int32_t count;                     /* of them */
+    stad_truth truth;                  /* of the crop, after correction */
+    stad_box box;                      /* the crop */
 } stad_calib_pose;
 
 /* What the health check remembers of a view. */
@@ -193,28 +193,28 @@ typedef struct stad_calib_view {
 
 /* Private; read it through the calls. */
 typedef struct stad_calib {
-    stad_calib_config config; /* as given */
-    stad_monitor monitor;     /* of the live frames */
-    stad_setup active, previous, candidate; /* setups: in use, to roll back to, on trial */
-    stad_calib_pose pose[2]; /* the held pairs */
-    stad_calib_view view[2]; /* left, right: of frames that were wanted */
-    stad_calib_view live[2]; /* of those that stad_calib_live() was shown */
+    stad_calib_config config;                           /* as given */
+    stad_monitor monitor;                               /* of the live frames */
+    stad_setup active, previous, candidate;             /* setups: in use, to roll back to, on trial */
+    stad_calib_pose pose[2];                            /* the held pairs */
+    stad_calib_view view[2];                            /* left, right: of frames that were wanted */
+    stad_calib_view live[2];                            /* of those that stad_calib_live() was shown */
     stad_pair pool[STAD_CALIB_POOL + STAD_CALIB_PAIRS]; /* raw */
-    stad_calib_report report; /* stad_calib_report_of() */
-    stad_tune tune;           /* the search */
-    stad_point pick, tuned;      /* the picked preset (or the set in use), the tuner's best */
-    int32_t pick_q20, tuned_q20; /* their costs on the tuning frame */
-    int32_t pick_score_q20;      /* the same with the preset's handicap */
-    int32_t judged_q20[3];       /* on the other pose: the set in use, the pick, the tuned one */
-    int32_t compared_q20;        /* on probation: the new set's cost */
-    int16_t step;                /* within a phase */
-    int16_t vain;                /* frames without use */
-    int16_t pooled;              /* pairs in the pool */
-    int16_t still;               /* frames in a row in which the target was where it was before */
-    int16_t trial_frames;        /* live frames of the probation */
-    uint8_t scheduled;           /* the run was begun by the schedule: one frame, then leave it */
-    uint8_t alarmed_on_trial;    /* 1: the monitor asked during the probation */
-    uint8_t alarm_stands;        /* 1: ... or after the last frame of the run, whose end is no answer then */
+    stad_calib_report report;                           /* stad_calib_report_of() */
+    stad_tune tune;                                     /* the search */
+    stad_point pick, tuned;                             /* the picked preset (or the set in use), the tuner's best */
+    int32_t pick_q20, tuned_q20;                        /* their costs on the tuning frame */
+    int32_t pick_score_q20;                             /* the same with the preset's handicap */
+    int32_t judged_q20[3];                              /* on the other pose: the set in use, the pick, the tuned one */
+    int32_t compared_q20;                               /* on probation: the new set's cost */
+    int16_t step;                                       /* within a phase */
+    int16_t vain;                                       /* frames without use */
+    int16_t pooled;                                     /* pairs in the pool */
+    int16_t still;                                      /* frames in a row in which the target was where it was before */
+    int16_t trial_frames;                               /* live frames of the probation */
+    uint8_t scheduled;                                  /* the run was begun by the schedule: one frame, then leave it */
+    uint8_t alarmed_on_trial;                           /* 1: the monitor asked during the probation */
+    uint8_t alarm_stands; /* 1: ... or after the last frame of the run, whose end is no answer then */
 } stad_calib;
 
 /* Defaults for a matcher of that geometry and a target; the camera is the caller's to give. */
@@ -245,7 +245,7 @@ int stad_calib_want(const stad_calib *c, stad_request *r);
 
 /* Workspace of stad_calib_frame(). */
 #define STAD_CALIB_FRAME_BYTES(width, height) (STAD_MARK_BYTES(width, height) + STAD_CALIB_SCRATCH)
-#define STAD_CALIB_SCRATCH 4608u /* marks and pairs of a frame, and copies of the pairs of several */
+#define STAD_CALIB_SCRATCH                    4608u /* marks and pairs of a frame, and copies of the pairs of several */
 /* The same at run time. */
 size_t stad_calib_frame_bytes(int32_t width, int32_t height);
 

@@ -63,9 +63,9 @@ void stad_mark_config_default(stad_mark_config *c);
 /* Bytes of workspace for an image, an integer constant expression for constant arguments: 27.6 KB at 320 x 240, 74 KB at
  * 640 x 480. In order: the dark map (1 bit a pixel), extremes of four tile rows, two rows of runs, components, their free
  * list, one contour, the cells of one mark. stad_mark_bytes() gives the same number at run time, 0 for an invalid size. */
-#define STAD_MARK_BYTES(width, height)                                                                                       \
-    (STAD_MARK_PAD(((size_t)(width) + 7u) / 8u * (size_t)(height)) + STAD_MARK_PAD(((size_t)(width) + 3u) / 4u * 8u) +       \
-     STAD_MARK_PAD(12u * ((size_t)(width) / 2u + 2u)) + STAD_MARK_PAD(24u * ((size_t)(width) + 8u)) +                        \
+#define STAD_MARK_BYTES(width, height)                                                                                 \
+    (STAD_MARK_PAD(((size_t)(width) + 7u) / 8u * (size_t)(height)) + STAD_MARK_PAD(((size_t)(width) + 3u) / 4u * 8u) + \
+     STAD_MARK_PAD(12u * ((size_t)(width) / 2u + 2u)) + STAD_MARK_PAD(24u * ((size_t)(width) + 8u)) +                  \
      STAD_MARK_PAD(2u * ((size_t)(width) + 8u)) + STAD_MARK_PAD(12u * ((size_t)(width) + (size_t)(height))) + 160u)
 #define STAD_MARK_PAD(bytes) (((size_t)(bytes) + 7u) / 8u * 8u) /* up to whole words */
 /* The same at run time; 0 for an invalid size. */
@@ -83,8 +83,7 @@ int stad_mark_cell(int id, int row, int column);
  * is returned twice; stad_mark_pair() then leaves it out.
  * STAD_E_PARAM: config or channels; STAD_E_SIZE: image or workspace. Time is bounded by the image's size alone: every loop
  * runs over pixels, runs, or the contour of a component, and each component is followed at most once. */
-int stad_mark_find(const stad_image *img, const stad_mark_config *config, stad_mark *out, int max, void *work,
-                   size_t work_bytes);
+int stad_mark_find(const stad_image *img, const stad_mark_config *config, stad_mark *out, int max, void *work, size_t work_bytes);
 
 /* Pairs the marks of two views by identity, in the order of `left`; an identity that is not exactly once in each view is left
  * out. Returns the number of pairs written, at most `max`. Nothing is assumed about the rectification, so a drifted rig pairs

@@ -43,16 +43,16 @@ typedef struct stad_monitor_config {
 /* State: no pointers, copy it freely. */
 typedef struct stad_monitor {
     stad_monitor_config config; /* as given */
-    int32_t share_q16; /* firm / considered of the last frame */
-    int32_t mean_q16;  /* what is usual */
-    int32_t sigma_q16; /* and how much it varies */
-    int32_t sum_q8;      /* the CUSUM */
-    int64_t learn_sum;   /* sum of shares while learning, <= 1000 * 2^16 */
-    int64_t learn_sq;    /* sum of squares, <= 1000 * 2^32 */
-    int32_t frames;      /* frames since the start of learning, saturating */
-    int32_t cooldown;    /* frames left */
-    int32_t since_look;  /* frames since marks were last looked for */
-    int32_t remind;      /* 1: alarm once more when the cool-down is over */
+    int32_t share_q16;          /* firm / considered of the last frame */
+    int32_t mean_q16;           /* what is usual */
+    int32_t sigma_q16;          /* and how much it varies */
+    int32_t sum_q8;             /* the CUSUM */
+    int64_t learn_sum;          /* sum of shares while learning, <= 1000 * 2^16 */
+    int64_t learn_sq;           /* sum of squares, <= 1000 * 2^32 */
+    int32_t frames;             /* frames since the start of learning, saturating */
+    int32_t cooldown;           /* frames left */
+    int32_t since_look;         /* frames since marks were last looked for */
+    int32_t remind;             /* 1: alarm once more when the cool-down is over */
 } stad_monitor;
 
 /* The defaults above. */
@@ -65,8 +65,7 @@ int stad_monitor_init(stad_monitor *m, const stad_monitor_config *config);
 void stad_monitor_restart(stad_monitor *m);
 
 /* One frame's counters. Returns enum stad_monitor_state, or STAD_E_PARAM when the counters are impossible (none
- * considered, more firm than considered): such a frame teaches nothing, but still counts for the schedule of marks.
- * */
+ * considered, more firm than considered): such a frame teaches nothing, but still counts for the schedule of marks. */
 int stad_monitor_frame(stad_monitor *m, const stad_match_counts *counts);
 
 /* 1: what raised the alarm is still there; the cool-down begins anew, and at its end the alarm is raised again, for

@@ -81,14 +81,14 @@ int stad_rig_row(const stad_rig *r, const stad_image *right, int y, uint8_t *out
 /* -- the same as a stream, for boards that see rows and no frame -------------------------------------------------------- */
 
 /* Rows in the ring for corrections up to max_dy px, and the workspace in bytes. */
-#define STAD_RIG_RING(max_dy)                          (2 * (max_dy) + 6)
+#define STAD_RIG_RING(max_dy) (2 * (max_dy) + 6)
 /* The bytes of the ring. */
-#define STAD_RIG_BYTES(width, channels, max_dy)        ((size_t)(width) * (size_t)(channels) * (size_t)STAD_RIG_RING(max_dy))
+#define STAD_RIG_BYTES(width, channels, max_dy) ((size_t)(width) * (size_t)(channels) * (size_t)STAD_RIG_RING(max_dy))
 
 /* A frame under way. Private but for being declared. */
 typedef struct stad_rig_stream {
-    stad_rig rig;  /* the correction */
-    uint8_t *ring; /* the workspace */
+    stad_rig rig;                                /* the correction */
+    uint8_t *ring;                               /* the workspace */
     int16_t channels, ring_rows, pushed, pulled; /* shape of the ring, rows so far */
 } stad_rig_stream;
 

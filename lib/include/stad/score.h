@@ -32,22 +32,18 @@ enum stad_label {
 
 /* The cost that stad_score_end() returns. `wrong`: |d - truth| > threshold; `missing`: no disparity. */
 enum stad_score_cost {
-    STAD_SCORE_BAD = 0, /* (wrong + missing) / visible, over visible pixels */
-    STAD_SCORE_CHOW =
-        1,             /* (2 wrong_visible + 2 wrong_occluded + missing_visible) / (2 (visible + occluded)) */
-    STAD_SCORE_D1 = 2, /* as BAD, but wrong when the error exceeds 3 px and 5 % of the truth */
-    STAD_SCORE_RMSE =
-        3, /* root mean square error / num_disparities, at most 1. To report: it has many local minima */
+    STAD_SCORE_BAD = 0,     /* (wrong + missing) / visible, over visible pixels */
+    STAD_SCORE_CHOW = 1,    /* (2 wrong_visible + 2 wrong_occluded + missing_visible) / (2 (visible + occluded)) */
+    STAD_SCORE_D1 = 2,      /* as BAD, but wrong when the error exceeds 3 px and 5 % of the truth */
+    STAD_SCORE_RMSE = 3,    /* root mean square error / num_disparities, at most 1. To report: it has many local minima */
     STAD_SCORE_MAE = 4,     /* mean absolute error / num_disparities, at most 1. To report */
     STAD_SCORE_MISSING = 5, /* missing / visible: 1 - density */
     /* the rest needs no truth, only the *_blind calls; `considered`: pixels of scored columns */
-    STAD_SCORE_BLIND =
-        6, /* reference-free: (considered - matched) / considered + 2 SPECKLE + PHOTO, up to 4 */
-    STAD_SCORE_PHOTO = 7,   /* its part: truncated photometric error; a missing pixel counts half the limit */
-    STAD_SCORE_SPECKLE = 8, /* its part: pixels in speckles / considered */
-    STAD_SCORE_LR = 9,      /* pixels that fail the left-right check / considered */
-    STAD_SCORE_ENTROPY =
-        10, /* entropy of the disparities in 32 bins, 1 = all bins alike: a flat scene has little */
+    STAD_SCORE_BLIND = 6,    /* reference-free: (considered - matched) / considered + 2 SPECKLE + PHOTO, up to 4 */
+    STAD_SCORE_PHOTO = 7,    /* its part: truncated photometric error; a missing pixel counts half the limit */
+    STAD_SCORE_SPECKLE = 8,  /* its part: pixels in speckles / considered */
+    STAD_SCORE_LR = 9,       /* pixels that fail the left-right check / considered */
+    STAD_SCORE_ENTROPY = 10, /* entropy of the disparities in 32 bins, 1 = all bins alike: a flat scene has little */
     STAD_SCORE_WEIGHTED = 11 /* sum of the above, each times its weight */
 };
 #define STAD_SCORE_TERMS 11 /* the costs that can be weighted */
@@ -56,11 +52,9 @@ enum stad_score_cost {
 typedef struct stad_score_config {
     int16_t min_disparity;   /* px, as matched */
     int16_t num_disparities; /* px, as matched, > 0 */
-    int32_t
-        threshold_q16; /* px * 65536, >= 0: an error above it is wrong; 65536 is customary, 3 * 65536 on KITTI 2015 */
-    uint8_t cost; /* enum stad_score_cost */
-    uint8_t
-        photo_limit; /* grey levels, 1..255: a larger photometric error counts as this much; customary 16 */
+    int32_t threshold_q16;   /* px * 65536, >= 0: an error above it is wrong; 65536 is customary, 3 * 65536 on KITTI 2015 */
+    uint8_t cost;            /* enum stad_score_cost */
+    uint8_t photo_limit;     /* grey levels, 1..255: a larger photometric error counts as this much; customary 16 */
     int16_t weight_q8[STAD_SCORE_TERMS]; /* STAD_SCORE_WEIGHTED only: weight * 256 of each cost, each >= 0 */
 } stad_score_config;
 
@@ -69,21 +63,21 @@ typedef struct stad_score_counts {
     int32_t visible, occluded;                 /* scored pixels by label */
     int32_t wrong_visible, wrong_occluded;     /* with a disparity, error above the threshold */
     int32_t missing_visible, missing_occluded; /* without a disparity */
-    int32_t d1_visible, d1_occluded; /* with a disparity, error above 3 px and above 5 % of the truth */
-    int64_t square_sum_q16;          /* squared errors, px^2 * 65536, of errors rounded to 1/256 px */
-    int64_t abs_sum_q16;             /* absolute errors, px * 65536, exact */
+    int32_t d1_visible, d1_occluded;           /* with a disparity, error above 3 px and above 5 % of the truth */
+    int64_t square_sum_q16;                    /* squared errors, px^2 * 65536, of errors rounded to 1/256 px */
+    int64_t abs_sum_q16;                       /* absolute errors, px * 65536, exact */
     /* reference-free */
     int32_t considered, matched; /* pixels in scored columns; of these with a disparity */
     int32_t speckle;             /* matched pixels in components that the speckle filter would remove */
     int32_t inconsistent;        /* considered pixels rejected by the left-right check */
-    int64_t photo_sum; /* grey levels * 80: truncated errors, half of photo_limit for a missing pixel */
+    int64_t photo_sum;           /* grey levels * 80: truncated errors, half of photo_limit for a missing pixel */
 } stad_score_counts;
 
 /* A scorer. Read `counts` freely; the rest is private. Copyable. */
 typedef struct stad_score {
     stad_score_config config; /* as given */
     stad_score_counts counts; /* so far */
-    int32_t histogram[32]; /* matched pixels in 32 equal bins of the disparity range, for the entropy */
+    int32_t histogram[32];    /* matched pixels in 32 equal bins of the disparity range, for the entropy */
 } stad_score;
 
 /* A customary config: threshold 1 px, photo_limit 16, no weights. */
@@ -95,13 +89,13 @@ int stad_score_begin(stad_score *s, const stad_score_config *c);
 /* Feeds row y (y is only for symmetry with the matcher: rows may come in any order). `disp_q4_row`: px * 16, where
  * (min_disparity - 1) * 16 and anything below means no disparity. `truth_q16_row`: px * 65536, looked at only where the label is not
  * STAD_LABEL_IGNORED, |truth| < 4096 px there; STAD_TRUTH_NONE is ignored whatever its label. `label_row`: enum stad_label. */
-void stad_score_row(stad_score *s, int y, const int16_t *disp_q4_row, const int32_t *truth_q16_row,
-                    const uint8_t *label_row, int width);
+void stad_score_row(stad_score *s, int y, const int16_t *disp_q4_row, const int32_t *truth_q16_row, const uint8_t *label_row,
+                    int width);
 
 /* Feeds a row to the reference-free costs: disparities as above and the two grey rows they came from. The photometric error
  * of a pixel is |left(x) - right(x - d)|, each less the mean of the 5 px around it in its row, right interpolated linearly. */
-void stad_score_row_blind(stad_score *s, int y, const int16_t *disp_q4_row, const uint8_t *left_row,
-                          const uint8_t *right_row, int width);
+void stad_score_row_blind(stad_score *s, int y, const int16_t *disp_q4_row, const uint8_t *left_row, const uint8_t *right_row,
+                          int width);
 
 /* Adds a frame's counters that only the matcher knows: pixels that its speckle filter removed, pixels that its left-right
  * check rejected. */

@@ -36,7 +36,7 @@ typedef struct stad_setup {
     uint8_t origin;        /* enum stad_origin */
     uint8_t corrected;     /* 1: `rig` is to be applied to the right view; 0: `rig` is the identity */
     stad_params params;    /* to match with */
-    stad_rig rig; /* for frames of width x height; the identity unless `corrected` */
+    stad_rig rig;          /* for frames of width x height; the identity unless `corrected` */
 } stad_setup;
 
 #define STAD_SETUP_BYTES 60 /* of a packed record; a sector must hold it, rounded up to the program granule */
@@ -60,10 +60,10 @@ typedef struct stad_flash {
     int (*read)(void *user, uint32_t offset, void *bytes, uint32_t count);          /* any offset and count within a slot */
     int (*program)(void *user, uint32_t offset, const void *bytes, uint32_t count); /* count: a multiple of the granule */
     int (*erase)(void *user, uint32_t offset);                                      /* the sector at offset, to 0xff */
-    void *user;               /* handed to the three */
-    uint32_t slot_offset[3];  /* by enum stad_slot; all different */
-    uint32_t sector_bytes;    /* smallest of the three sectors */
-    uint32_t program_bytes;   /* program granule: a power of two, 1..64 */
+    void *user;                                                                     /* handed to the three */
+    uint32_t slot_offset[3];                                                        /* by enum stad_slot; all different */
+    uint32_t sector_bytes;                                                          /* smallest of the three sectors */
+    uint32_t program_bytes;                                                         /* program granule: a power of two, 1..64 */
 } stad_flash;
 
 /* Reads the newest good setup, else the factory's. Returns the slot (enum stad_slot) it came from; STAD_E_CORRUPT: no

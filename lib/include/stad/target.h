@@ -28,19 +28,19 @@ typedef struct stad_target_tag {
 /* A flat quadrilateral at heights of its own; corners in order. Facets of one part stand on one common footprint: the
  * shadow of the facets on the base. Walls run straight down from the facets' edges. */
 typedef struct stad_target_facet {
-    int16_t part; /* index into the parts */
+    int16_t part;                      /* index into the parts */
     int16_t x_mm[4], y_mm[4], h_mm[4]; /* of each corner: place on the base, height above it */
 } stad_target_facet;
 
 /* A target. */
 typedef struct stad_target {
-    const char *name;            /* for messages */
-    int16_t width_mm, height_mm; /* of the base sheet */
-    int16_t tag_mm;              /* side of a mark's black square, a multiple of 8 */
+    const char *name;                           /* for messages */
+    int16_t width_mm, height_mm;                /* of the base sheet */
+    int16_t tag_mm;                             /* side of a mark's black square, a multiple of 8 */
     int16_t tag_count, part_count, facet_count; /* of the three tables */
-    const stad_target_tag *tags; /* marks on the base */
-    const char *const *parts; /* names, such as "plate" */
-    const stad_target_facet *facets; /* what stands on it */
+    const stad_target_tag *tags;                /* marks on the base */
+    const char *const *parts;                   /* names, such as "plate" */
+    const stad_target_facet *facets;            /* what stands on it */
 } stad_target;
 
 /* The relief target that `stad sheet` prints: 256 x 184 mm, marks 0..3, plate, wedge, tent, three bars. Constant. */

@@ -36,7 +36,7 @@ typedef struct stad_plane {
 
 /* The polygon. */
 typedef struct stad_polygon {
-    int32_t count; /* 3 .. STAD_POLYGON_MAX */
+    int32_t count;                   /* 3 .. STAD_POLYGON_MAX */
     stad_corner p[STAD_POLYGON_MAX]; /* the corners, Q8 px */
 } stad_polygon;
 
@@ -58,7 +58,7 @@ typedef struct stad_truth_layer {
 /* A truth, 1.4 KB. Declare it anywhere, fill it by the calls below; the fields are private. */
 typedef struct stad_truth {
     int16_t width, height, min_disparity, num_disparities, margin, count; /* as stad_truth_init() was told; layers */
-    stad_truth_layer layer[STAD_TRUTH_LAYERS]; /* in the order they were added */
+    stad_truth_layer layer[STAD_TRUTH_LAYERS];                            /* in the order they were added */
 } stad_truth;
 
 /* An empty truth for frames of width x height (16 .. 2048) and the matcher's range of disparities: columns in which the

@@ -10,9 +10,9 @@
  *         stad_tune_tell(&tune, cost_of(&x));
  *     stad_tune_best(&tune, &x, &cost);
  *
- * The state is the log of points and costs: a struct of at most 4 KiB without a pointer in it. Copy it, keep it in flash,
- * go on after a reset, once stad_tune_check() has found it whole. Only integers are used, so the same costs give the same points, bit for bit, on every compiler and
- * core. No point is ever asked for twice: what the method visits again is answered from the log.
+ * The state is the log of points and costs: a struct of at most 4 KiB without a pointer in it. Copy it, keep it in flash, go on
+ * after a reset, once stad_tune_check() has found it whole. Only integers are used, so the same costs give the same points, bit for
+ * bit, on every compiler and core. No point is ever asked for twice: what the method visits again is answered from the log.
  * Memory: the caller owns the struct; there is nothing to free. Re-entrant. How the methods work: docs/TUNING.md. */
 #ifndef STAD_TUNE_H
 #define STAD_TUNE_H
@@ -61,34 +61,35 @@ enum stad_tune_method {
 enum stad_tune_scale {
     STAD_TUNE_LINEAR = 0, /* continuous: one step is `unit` */
     STAD_TUNE_LOG2 = 1,   /* continuous: one step is an octave */
-    STAD_TUNE_AREA =
-        2,             /* as LOG2, relative to the block: v / block_size^1.5 is held when the block changes */
-    STAD_TUNE_ODD = 3, /* discrete: odd numbers, polled one to either side */
-    STAD_TUNE_POWER = 4 /* discrete: polled at twice and half its value; the descents stay with powers of two from such a start */
+    STAD_TUNE_AREA = 2,   /* as LOG2, relative to the block: v / block_size^1.5 is held when the block changes */
+    STAD_TUNE_ODD = 3,    /* discrete: odd numbers, polled one to either side */
+    STAD_TUNE_POWER = 4   /* discrete: polled at twice and half its value; from a power of two to powers of two */
 };
 
-/* A coordinate's range and steps. */
+/* A coordinate's range and steps. Of LOG2 and AREA only lo, lo + unit, lo + 2 unit, ... are asked for, but for a p2 that `ordered`
+ * puts one above p1. */
 typedef struct stad_tune_axis {
     int16_t lo, hi; /* inclusive; lo >= 1 for all but LINEAR; LINEAR: within STAD_TUNE_UNITS units of zero */
-    int16_t
-        unit; /* >= 1. LINEAR: integers per step; LOG2 and AREA: only lo, lo + unit, lo + 2 unit, ... are asked for, but for a p2 that `ordered` puts one above p1 */
-    uint8_t scale; /* enum stad_tune_scale */
-    int8_t side;   /* +1 or -1: where to look first */
+    int16_t unit;   /* >= 1. LINEAR: integers per step; LOG2 and AREA: from one value to the next */
+    uint8_t scale;  /* enum stad_tune_scale */
+    int8_t side;    /* +1 or -1: where to look first */
 } stad_tune_axis;
 
 #define STAD_TUNE_LADDER 6 /* rungs at most */
 
-/* What a tuner is told. Start from stad_tune_config_stereo(). */
+/* What a tuner is told. Start from stad_tune_config_stereo().
+ *
+ * ordered: p2 is kept above p1, as stereo wants, and by the descents, where both may move, at about sqrt(2) * p1 or more.
+ * cheap_mask: bit i set: a point that moves coordinate i alone costs the application next to nothing (stad/winners.h). NCG, DESCENT
+ * and HYBRID then settle these coordinates at once wherever they get to. */
 typedef struct stad_tune_config {
-    uint8_t method;    /* enum stad_tune_method */
-    uint8_t free_mask; /* bit i set: coordinate i is free; the others keep the value of the start */
-    uint8_t
-        ordered; /* 1: p2 is kept above p1, as stereo wants, and by the descents, where both may move, at about sqrt(2) * p1 or more; 0: independent */
+    uint8_t method;       /* enum stad_tune_method */
+    uint8_t free_mask;    /* bit i set: coordinate i is free; the others keep the value of the start */
+    uint8_t ordered;      /* 1: p2 above p1; 0: independent */
     uint8_t ladder_count; /* 0..STAD_TUNE_LADDER */
     int16_t budget;       /* distinct evaluations, 1..STAD_TUNE_LOG */
-    uint8_t patience;     /* 0: use the budget, as long as there is something new to try; 1: stop when the first descent has converged */
-    uint8_t
-        cheap_mask; /* bit i set: a point that moves coordinate i alone costs the application next to nothing (stad/winners.h). NCG, DESCENT and HYBRID then settle these coordinates at once wherever they get to; 0: none, the default */
+    uint8_t patience;     /* 0: on to the budget, or until nothing new comes; 1: stop when the first descent has converged */
+    uint8_t cheap_mask;   /* 0: none, the default */
     uint32_t seed;        /* of the draws of HYBRID, and of the crosses that end NCG and HYBRID */
     stad_tune_axis axis[STAD_TUNE_DIMS]; /* by enum stad_tune_dim */
     stad_point ladder[STAD_TUNE_LADDER]; /* further points to start from; they are scored first and count */
@@ -103,15 +104,15 @@ typedef struct stad_tune_counts {
 
 /* A tuner. Private but for being copied and compared with memcmp. */
 typedef struct stad_tune {
-    stad_tune_config config; /* as given */
-    stad_point start;   /* brought to the lattice */
-    stad_point pending; /* the point asked for */
-    int16_t count;      /* entries of the log */
-    int16_t best;       /* the best of them, -1 before the first */
-    int16_t cursor;     /* where the log is expected to answer next */
-    int16_t lead;       /* the best entry that the current rerun has met */
-    int16_t phase;      /* 0 not initialised, 1 asking, 2 finished */
-    stad_tune_counts counts; /* so far */
+    stad_tune_config config;         /* as given */
+    stad_point start;                /* brought to the lattice */
+    stad_point pending;              /* the point asked for */
+    int16_t count;                   /* entries of the log */
+    int16_t best;                    /* the best of them, -1 before the first */
+    int16_t cursor;                  /* where the log is expected to answer next */
+    int16_t lead;                    /* the best entry that the current rerun has met */
+    int16_t phase;                   /* 0 not initialised, 1 asking, 2 finished */
+    stad_tune_counts counts;         /* so far */
     stad_point point[STAD_TUNE_LOG]; /* the log: points */
     int32_t cost[STAD_TUNE_LOG];     /* and their costs */
 } stad_tune;
@@ -149,8 +150,7 @@ int stad_tune_best(const stad_tune *t, stad_point *x, int32_t *cost_q20);
 int stad_tune_trace(const stad_tune *t, int i, stad_point *x, int32_t *cost_q20);
 
 /* Whether a state that comes back from elsewhere can be gone on with: STAD_OK; STAD_E_STATE: never started; STAD_E_CORRUPT: no call of
- * these leaves it so, and nothing else may be called on it. No checksum: any cost passes, and any
- * point within its axes. */
+ * these leaves it so, and nothing else may be called on it. No checksum: any cost passes, and any point within its axes. */
 int stad_tune_check(const stad_tune *t);
 
 /* Counters. */
@@ -169,8 +169,8 @@ int stad_tune_sd_tell(stad_tune *t, int32_t cost_q20);                          
 
 int stad_tune_descent_init(stad_tune *t, const stad_tune_config *c, const stad_point *start); /* STAD_TUNE_DESCENT */
 int stad_tune_descent_tell(stad_tune *t, int32_t cost_q20);                                   /* STAD_TUNE_DESCENT */
-int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_point *start); /* STAD_TUNE_HYBRID */
-int stad_tune_hybrid_tell(stad_tune *t, int32_t cost_q20);                                   /* STAD_TUNE_HYBRID */
+int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_point *start);  /* STAD_TUNE_HYBRID */
+int stad_tune_hybrid_tell(stad_tune *t, int32_t cost_q20);                                    /* STAD_TUNE_HYBRID */
 
 #ifdef __cplusplus
 }

@@ -30,11 +30,11 @@ extern "C" {
 
 /* The winners of one frame. Private. */
 typedef struct stad_winners {
-    stad_params params;     /* they were found with */
-    int16_t width, height;  /* of the frame */
-    uint8_t mode;           /* enum stad_mode */
-    int32_t rows;           /* of winners that are there */
-    void *memory;           /* theirs */
+    stad_params params;    /* they were found with */
+    int16_t width, height; /* of the frame */
+    uint8_t mode;          /* enum stad_mode */
+    int32_t rows;          /* of winners that are there */
+    void *memory;          /* theirs */
 } stad_winners;
 
 /* The number that STAD_WINNERS_BYTES() gives at compile time; 0 if the geometry is invalid. */

@@ -4,7 +4,7 @@
 
 const char *stad_status_name(int status)
 {
-    static const char *const names[] = {"STAD_OK",      "STAD_AGAIN",   "STAD_E_PARAM",   "STAD_E_SIZE",   "STAD_E_STATE",
+    static const char *const names[] = {"STAD_OK",      "STAD_AGAIN",     "STAD_E_PARAM",   "STAD_E_SIZE", "STAD_E_STATE",
                                         "STAD_E_LIMIT", "STAD_E_CORRUPT", "STAD_E_NO_MARK", "STAD_E_RIG"};
     const int count = (int)(sizeof names / sizeof names[0]);
     if (status >= 0)

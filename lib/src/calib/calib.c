@@ -80,8 +80,7 @@ void stad_calib_enter(stad_calib *c, int phase)
 void stad_calib_finish(stad_calib *c, int outcome)
 {
     int well = outcome == STAD_CALIB_ADOPTED || outcome == STAD_CALIB_CORRECTED || outcome == STAD_CALIB_KEPT;
-    int rig_moved = outcome == STAD_CALIB_RIG_FAILED ||
-                    (outcome == STAD_CALIB_ROLLED_BACK && c->report.fault == STAD_FAULT_RIG);
+    int rig_moved = outcome == STAD_CALIB_RIG_FAILED || (outcome == STAD_CALIB_ROLLED_BACK && c->report.fault == STAD_FAULT_RIG);
     int one_look = c->scheduled && c->report.phase == STAD_CALIB_LOOK; /* a single frame proves nothing */
     stad_calib_enter(c, STAD_CALIB_IDLE);
     c->report.outcome = (uint8_t)outcome;
@@ -144,8 +143,7 @@ static int change_outcome(const stad_calib *c)
 {
     if (!bytes_equal(&c->active.params, &c->previous.params, sizeof c->active.params))
         return STAD_CALIB_ADOPTED;
-    return bytes_equal(&c->active.rig, &c->previous.rig, sizeof c->active.rig) ? STAD_CALIB_KEPT
-                                                                        : STAD_CALIB_CORRECTED;
+    return bytes_equal(&c->active.rig, &c->previous.rig, sizeof c->active.rig) ? STAD_CALIB_KEPT : STAD_CALIB_CORRECTED;
 }
 
 void stad_calib_adopt(stad_calib *c)

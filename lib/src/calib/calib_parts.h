@@ -6,14 +6,12 @@
 #include "stad/calib.h"
 
 /* -- health.c: can these views be used at all? Remembers them in view[0] and view[1]. Returns enum stad_calib_fault. */
-int stad_calib_views_fault(const stad_calib *c, stad_calib_view *view, const stad_image *left,
-                           const stad_image *right);
+int stad_calib_views_fault(const stad_calib *c, stad_calib_view *view, const stad_image *left, const stad_image *right);
 
 /* -- pairs.c */
 /* What is left of the rows' disagreement of `count` raw pairs with a correction applied; `room` for as many. Returns
  * enum stad_rig_verdict. */
-int stad_calib_rig_verdict(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room,
-                           stad_rig_report *report);
+int stad_calib_rig_verdict(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room, stad_rig_report *report);
 /* By the mean move, since the tuning frame, of the corners that both frames show, in the left view; a frame that
  * shares no mark is another pose for certain. */
 int stad_calib_is_another_pose(const stad_calib *c, const stad_pair *pairs, int count);
@@ -25,8 +23,7 @@ int stad_calib_is_still(const stad_calib *c, const stad_pair *pairs, int count);
 stad_point stad_calib_point_of(const stad_params *params);
 stad_params stad_calib_params_at(const stad_params *base, const stad_point *point);
 int stad_calib_point_equal(const stad_point *a, const stad_point *b);
-int stad_calib_fits(const stad_geometry *g,
-                    const stad_params *params); /* 1: the live matcher would take them */
+int stad_calib_fits(const stad_geometry *g, const stad_params *params); /* 1: the live matcher would take them */
 void stad_calib_tune_config(const stad_calib *c, int budget, stad_tune_config *out);
 
 /* -- presets.c */
@@ -34,11 +31,9 @@ int32_t stad_calib_handicap_q16(int i); /* by how much the target flatters prese
 
 /* -- rule.c: costs into decisions */
 int32_t stad_calib_raised(int32_t cost_q20, int64_t by_q16);
-int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20,
-                             int32_t lambda_q16);
+int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20, int32_t lambda_q16);
 int32_t stad_calib_margin(int32_t cost_q20, int32_t pixels, int32_t least_q20);
-int stad_calib_is_better(int32_t now_q20, int32_t was_q20,
-                         int32_t margin_q20); /* now + margin <= was; a failure never is */
+int stad_calib_is_better(int32_t now_q20, int32_t was_q20, int32_t margin_q20); /* now + margin <= was; a failure never is */
 
 /* -- trial.c: the phases that ask for matches */
 void stad_calib_trial_begin(stad_calib *c);                          /* enters PICK */

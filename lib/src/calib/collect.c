@@ -22,8 +22,7 @@ typedef struct scratch {
     int32_t count;
 } scratch;
 
-typedef char
-    scratch_fits[sizeof(scratch) <= STAD_CALIB_SCRATCH && STAD_CALIB_SCRATCH % STAD_ALIGN == 0 ? 1 : -1];
+typedef char scratch_fits[sizeof(scratch) <= STAD_CALIB_SCRATCH && STAD_CALIB_SCRATCH % STAD_ALIGN == 0 ? 1 : -1];
 
 size_t stad_calib_frame_bytes(int32_t width, int32_t height)
 {
@@ -42,8 +41,7 @@ static int pairs_are_swapped(const stad_pair *pairs, int count, int min_disparit
     return 2 * behind > count;
 }
 
-static int find_pairs(stad_calib *c, const stad_image *left, const stad_image *right, scratch *s,
-                      size_t work_bytes)
+static int find_pairs(stad_calib *c, const stad_image *left, const stad_image *right, scratch *s, size_t work_bytes)
 {
     uint8_t *work = (uint8_t *)s + STAD_CALIB_SCRATCH;
     size_t bytes = work_bytes - STAD_CALIB_SCRATCH;
@@ -131,11 +129,9 @@ static int make_truth(const stad_calib *c, stad_calib_pose *pose, const stad_rig
     stad_rig_straighten(rig, straight, pose->count);
     if (out_of_range(p, straight, pose->count))
         return STAD_FAULT_RANGE;
-    if (stad_truth_init(&pose->truth, g->width, g->height, p->min_disparity, p->num_disparities,
-                        c->config.margin_px) != STAD_OK)
+    if (stad_truth_init(&pose->truth, g->width, g->height, p->min_disparity, p->num_disparities, c->config.margin_px) != STAD_OK)
         return STAD_FAULT_MARKS;
-    int status =
-        stad_truth_from_target(&pose->truth, c->config.target, straight, pose->count, &c->config.camera);
+    int status = stad_truth_from_target(&pose->truth, c->config.target, straight, pose->count, &c->config.camera);
     if (status < 0)
         return status == STAD_E_RIG ? STAD_FAULT_CAMERA : STAD_FAULT_MARKS;
     pose->box = stad_truth_box(&pose->truth);
@@ -157,8 +153,7 @@ static int keep_pose(stad_calib *c, const stad_rig *rig, scratch *s)
 static int look(stad_calib *c, scratch *s)
 {
     stad_rig_report rest;
-    c->report.verdict_before =
-        (uint8_t)stad_calib_rig_verdict(&c->active.rig, s->pairs, s->count, s->room, &rest);
+    c->report.verdict_before = (uint8_t)stad_calib_rig_verdict(&c->active.rig, s->pairs, s->count, s->room, &rest);
     c->report.verdict_after = c->report.verdict_before;
     c->report.rig = rest;
     if (c->report.verdict_before == STAD_RIG_GOOD && c->scheduled && !c->report.alarmed) {
@@ -259,8 +254,7 @@ static int confirm(stad_calib *c, scratch *s)
         return moving;
     int verdict = stad_calib_rig_verdict(&c->candidate.rig, c->pool, c->pooled, s->room, &rest);
     int fault = STAD_FAULT_NONE;
-    if (verdict == STAD_RIG_GOOD ||
-        (c->step > 0 && verdict == STAD_RIG_WATCH && verdict < c->report.verdict_before))
+    if (verdict == STAD_RIG_GOOD || (c->step > 0 && verdict == STAD_RIG_WATCH && verdict < c->report.verdict_before))
         fault = confirmed(c, verdict, s->room);
     else if (c->step == 0)
         fault = refit(c, s);
@@ -358,8 +352,7 @@ static int status_of(int fault)
     return fault == STAD_FAULT_SIZE ? STAD_E_SIZE : STAD_E_CORRUPT;
 }
 
-int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work,
-                     size_t work_bytes)
+int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work, size_t work_bytes)
 {
     STAD_ASSERT(c && c->config.target);
     stad_request wanted;

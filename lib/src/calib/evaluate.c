@@ -9,8 +9,7 @@
 #include <string.h>
 #include "base/arith.h"
 
-int stad_calib_truth_row(const stad_calib *c, const stad_request *r, int y, int32_t *truth_q16_row,
-                         uint8_t *label_row)
+int stad_calib_truth_row(const stad_calib *c, const stad_request *r, int y, int32_t *truth_q16_row, uint8_t *label_row)
 {
     const stad_calib_pose *pose = &c->pose[r->hold & 1];
     return stad_truth_row(&pose->truth, y, pose->box.width, truth_q16_row, label_row);
@@ -62,8 +61,7 @@ static int begin(const stad_calib *c, const stad_request *r, stad_evaluator *e, 
     g.width = r->box.width;
     g.height = r->box.height;
     stad_calib_score_config(c, r, &config);
-    return stad_match_init(&e->match, &g, work, bytes) == STAD_OK &&
-           stad_match_begin(&e->match, &r->params) == STAD_OK &&
+    return stad_match_init(&e->match, &g, work, bytes) == STAD_OK && stad_match_begin(&e->match, &r->params) == STAD_OK &&
            stad_score_begin(&e->score, &config) == STAD_OK;
 }
 
@@ -83,8 +81,7 @@ static int corrects(const stad_rig *r)
     return r->a_q16 != 0 || r->b_q24 != 0 || r->c_q24 != 0;
 }
 
-static int feed(const stad_request *r, stad_evaluator *e, const rows *row, const stad_image *left,
-                const stad_image *right, int y)
+static int feed(const stad_request *r, stad_evaluator *e, const rows *row, const stad_image *left, const stad_image *right, int y)
 {
     ptrdiff_t skip = (ptrdiff_t)r->box.x * left->channels;
     pack_row(left, r->box.y + y, row->left);
@@ -100,8 +97,8 @@ static int sizes_fit(const stad_geometry *g, const stad_image *image)
     return image->width == g->width && image->height == g->height && image->channels == g->channels;
 }
 
-int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e,
-                            const stad_image *left, const stad_image *right, void *work, size_t work_bytes)
+int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e, const stad_image *left,
+                            const stad_image *right, void *work, size_t work_bytes)
 {
     STAD_ASSERT(c && r && e && left && right);
     const stad_geometry *g = &c->config.geometry;

@@ -68,8 +68,7 @@ static int size_fits(const stad_calib *c, const stad_image *image)
 }
 
 /* Both views are hashed even if the first is at fault, so that the next frame is compared with this one. */
-int stad_calib_views_fault(const stad_calib *c, stad_calib_view *view, const stad_image *left,
-                           const stad_image *right)
+int stad_calib_views_fault(const stad_calib *c, stad_calib_view *view, const stad_image *left, const stad_image *right)
 {
     if (!left || !right)
         return STAD_FAULT_LATE;

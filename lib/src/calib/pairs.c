@@ -7,8 +7,7 @@
 
 #define STILL_Q10 256 /* a quarter of a pixel */
 
-int stad_calib_rig_verdict(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room,
-                           stad_rig_report *report)
+int stad_calib_rig_verdict(const stad_rig *rig, const stad_pair *pairs, int count, stad_pair *room, stad_rig_report *report)
 {
     stad_rig rest;
     memcpy(room, pairs, (size_t)count * sizeof *room);

@@ -38,8 +38,8 @@ int stad_calib_fits(const stad_geometry *g, const stad_params *params)
 {
     if (stad_params_check(params, g->mode, g->width, NULL) != STAD_OK)
         return 0;
-    return params->num_disparities <= g->max_disparities && params->block_size <= g->max_block_size &&
-           params->p2 <= g->max_p2 && params->pre_filter_cap <= g->max_pre_filter_cap;
+    return params->num_disparities <= g->max_disparities && params->block_size <= g->max_block_size && params->p2 <= g->max_p2 &&
+           params->pre_filter_cap <= g->max_pre_filter_cap;
 }
 
 static int16_t least(int16_t a, int16_t b)

@@ -38,15 +38,13 @@ int32_t stad_calib_raised(int32_t cost_q20, int64_t by_q16)
     return cost < STAD_COST_FAILED ? (int32_t)cost : STAD_COST_FAILED - 1;
 }
 
-int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20,
-                             int32_t lambda_q16)
+int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20, int32_t lambda_q16)
 {
     int64_t square_q16 = squared_steps_q32(start, x) / 65536;            /* < 2^28 */
     return stad_calib_raised(cost_q20, square_q16 * lambda_q16 / 65536); /* lambda <= 1 */
 }
 
-/* max(least, 3 sqrt(p (1 - p) / n)), n = pixels / 100: neighbouring pixels fail together, so a hundred count as one.
- * */
+/* max(least, 3 sqrt(p (1 - p) / n)), n = pixels / 100: neighbouring pixels fail together, so a hundred count as one. */
 int32_t stad_calib_margin(int32_t cost_q20, int32_t pixels, int32_t least_q20)
 {
     int64_t p = cost_q20 < STAD_COST_ONE ? cost_q20 : STAD_COST_ONE;

@@ -15,8 +15,7 @@ static stad_point active_point(const stad_calib *c)
 
 static int preset_fits(const stad_calib *c, int i, stad_point *point)
 {
-    if (!(c->config.preset_mask >> i & 1) ||
-        stad_calib_preset(i, c->config.geometry.channels, point, NULL) != STAD_OK)
+    if (!(c->config.preset_mask >> i & 1) || stad_calib_preset(i, c->config.geometry.channels, point, NULL) != STAD_OK)
         return 0;
     stad_params params = stad_calib_params_at(&c->active.params, point);
     return params.block_size >= c->config.min_block_size && stad_calib_fits(&c->config.geometry, &params);
@@ -144,8 +143,7 @@ static void tune(stad_calib *c)
 /* A pick is worse on the other pose than the set in use, its handicap counted. */
 static int pick_is_worse(const stad_calib *c)
 {
-    int32_t score_q20 =
-        stad_calib_raised(c->judged_q20[JUDGE_PICK], stad_calib_handicap_q16(c->report.preset));
+    int32_t score_q20 = stad_calib_raised(c->judged_q20[JUDGE_PICK], stad_calib_handicap_q16(c->report.preset));
     return score_q20 > c->judged_q20[JUDGE_ACTIVE];
 }
 

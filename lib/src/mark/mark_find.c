@@ -77,8 +77,7 @@ void stad_mark_examine(mark_work *w, const mark_component *c)
     w->out[w->found++] = mark;
 }
 
-int stad_mark_find(const stad_image *img, const stad_mark_config *config, stad_mark *out, int max, void *work,
-                   size_t work_bytes)
+int stad_mark_find(const stad_image *img, const stad_mark_config *config, stad_mark *out, int max, void *work, size_t work_bytes)
 {
     STAD_ASSERT(img && (out || max <= 0));
     stad_mark_config standard;

@@ -27,8 +27,10 @@ void stad_costs_features(stad_frame *f, int32_t y)
 
 void stad_costs_make(const stad_frame *f, int32_t x, int32_t count, void *cost)
 {
-    stad_cost_job job = {f->features, f->features + 6 * (ptrdiff_t)f->g.channels * f->g.width, f->g.width,
-                         f->g.channels, f->first_column + x, count, f->p.min_disparity, f->p.num_disparities};
+    stad_cost_job job = {f->features,         f->features + 6 * (ptrdiff_t)f->g.channels * f->g.width,
+                         f->g.width,          f->g.channels,
+                         f->first_column + x, count,
+                         f->p.min_disparity,  f->p.num_disparities};
     if (f->wide)
         stad_cost_row_u16(&job, cost);
     else

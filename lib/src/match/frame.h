@@ -18,7 +18,7 @@ typedef struct lane_set {
     uint8_t *memory;
     int32_t count;
     int32_t mirrored; /* a pass from the bottom right: its lanes are summed in the opposite order (SPEC 6) */
-    int32_t rows; /* taken since the last reset: fixes where each column's slot is */
+    int32_t rows;     /* taken since the last reset: fixes where each column's slot is */
 } lane_set;
 
 typedef struct stad_frame {
@@ -27,10 +27,10 @@ typedef struct stad_frame {
     stad_match_counts counts;
     const char *culprit;
     uint32_t options;
-    int32_t running; /* a frame has been begun */
-    stad_winners *keep;        /* where the winners of every frame go, or NULL */
-    int32_t recording;         /* this frame's go there */
-    stad_best *best;           /* the row's winners where they are kept, else a run's */
+    int32_t running;    /* a frame has been begun */
+    stad_winners *keep; /* where the winners of every frame go, or NULL */
+    int32_t recording;  /* this frame's go there */
+    stad_best *best;    /* the row's winners where they are kept, else a run's */
     int16_t *fine;
     const stad_winners *again; /* this frame's winners are there already, or NULL */
 
@@ -56,9 +56,9 @@ typedef struct stad_frame {
 
     /* where the frame stands: rows pushed, oldest row still needed, rows made (raw) and pulled */
     int32_t pushed, oldest, made, pulled;
-    int32_t window_row, window_top;  /* row the window is centred on (-1: none), first row of its image */
-    int32_t ring_first, ring_count;  /* rows of costs in the ring */
-    int32_t down_row, loaded;        /* HH, HH4: next row of the first pass; segment in memory (-1: none) */
+    int32_t window_row, window_top; /* row the window is centred on (-1: none), first row of its image */
+    int32_t ring_first, ring_count; /* rows of costs in the ring */
+    int32_t down_row, loaded;       /* HH, HH4: next row of the first pass; segment in memory (-1: none) */
 } stad_frame;
 
 static inline stad_frame *frame_of(stad_match *m)
@@ -98,7 +98,7 @@ void stad_window_start(stad_frame *f, int32_t y, int32_t top); /* at row y of an
 void stad_window_resume(stad_frame *f, int32_t y);             /* f->window already holds row y's saturating block costs */
 void stad_window_go(stad_frame *f, int32_t y);                 /* to row y by the cheapest exact way */
 const int16_t *stad_window_block(stad_frame *f, int32_t x, int32_t count); /* C of a run of columns */
-int32_t stad_window_image_row(const stad_frame *f, int32_t k); /* k; outside the image its first or last row */
+int32_t stad_window_image_row(const stad_frame *f, int32_t k);             /* k; outside the image its first or last row */
 
 /* -- window_*.c: what it holds ------------------------------------------------------------------------------------------- */
 void stad_window_sums_start(stad_frame *f, int32_t y);
@@ -111,8 +111,8 @@ void stad_window_sat_go(stad_frame *f, int32_t y);
 
 /* -- lanes.c: path state ------------------------------------------------------------------------------------------------- */
 void stad_lanes_shape(stad_frame *f);
-void stad_lanes_reset(const stad_frame *f, lane_set *set); /* all paths restart; the fences are drawn */
-int32_t stad_lanes_at(const stad_frame *f, const lane_set *set, stad_lane *lanes);    /* as set->rows places them; count */
+void stad_lanes_reset(const stad_frame *f, lane_set *set);                         /* all paths restart; the fences are drawn */
+int32_t stad_lanes_at(const stad_frame *f, const lane_set *set, stad_lane *lanes); /* as set->rows places them; count */
 int32_t stad_lanes_enter(const stad_frame *f, const lane_set *set, stad_lane *lanes); /* the same, at the start of a row */
 int32_t stad_lanes_enter_u8(const stad_frame *f, const lane_set *set, stad_lane_u8 *lanes);
 void stad_lane_restart(const stad_frame *f, stad_lane *across);
@@ -127,8 +127,8 @@ typedef struct row_sweep {
     int fresh;                /* total is written, not added to */
 } row_sweep;
 void stad_sweep_forward(stad_frame *f, const row_sweep *s);
-void stad_sweep_streamed(stad_frame *f);                       /* SGBM, 3WAY: forward, back, winners */
-void stad_sweep_back(stad_frame *f, const row_sweep *s);       /* right to left, winners on the way */
+void stad_sweep_streamed(stad_frame *f);                 /* SGBM, 3WAY: forward, back, winners */
+void stad_sweep_back(stad_frame *f, const row_sweep *s); /* right to left, winners on the way */
 
 /* -- row.c: winners of a row ---------------------------------------------------------------------------------------------- */
 void stad_row_fill(int16_t *to, int32_t n, int16_t value);

@@ -8,8 +8,8 @@
 
 static int image_fits(const stad_frame *f, const stad_image *image)
 {
-    return image->pix && image->width == f->g.width && image->height == f->g.height &&
-           image->channels == f->g.channels && image->pixel_stride >= image->channels;
+    return image->pix && image->width == f->g.width && image->height == f->g.height && image->channels == f->g.channels &&
+           image->pixel_stride >= image->channels;
 }
 
 static int speckle_fits(const stad_frame *f, const void *work, size_t work_bytes)

@@ -62,9 +62,8 @@ static size_t totals_bytes(const shape *s)
 {
     if (s->two_pass && s->memory == STAD_MEMORY_SMALL)
         return 0;
-    return STAD_TOTAL_WHOLE(s->mode, s->memory, s->narrow)
-               ? s->row
-               : STAD_BYTES_UP(2 * STAD_RUN * s->d) + STAD_RESUME_BYTES(s->w, s->d);
+    return STAD_TOTAL_WHOLE(s->mode, s->memory, s->narrow) ? s->row
+                                                           : STAD_BYTES_UP(2 * STAD_RUN * s->d) + STAD_RESUME_BYTES(s->w, s->d);
 }
 
 static size_t part_bytes(const shape *s, int part)
@@ -107,7 +106,7 @@ size_t stad_match_bytes(const stad_geometry *g)
 size_t stad_match_part(const stad_geometry *g, int i, const char **name)
 {
     static const char *const names[PART_COUNT] = {"pixels", "features", "costs",       "window", "totals",
-                                                  "lanes",  "segment",  "checkpoints", "run",  "rows"};
+                                                  "lanes",  "segment",  "checkpoints", "run",    "rows"};
     const int known = i >= 0 && i < PART_COUNT && stad_geometry_check(g, NULL) == STAD_OK;
     if (name)
         *name = known ? names[i] : NULL;

@@ -36,8 +36,20 @@ void stad_row_take(stad_frame *f, const stad_path_job *job, stad_lane *last, con
 void stad_row_select(stad_frame *f, const stad_best *best, const int16_t *fine, int32_t x, int32_t count)
 {
     const int32_t slot = f->made % 3;
-    stad_select_job job = {best, fine, f->first_column + x, count, f->g.width, f->p.min_disparity, f->p.uniqueness_ratio,
-                           f->g.mode == STAD_MODE_3WAY, f->raw[slot], f->votes[slot], f->vote_cost, NULL, 0, 0};
+    stad_select_job job = {best,
+                           fine,
+                           f->first_column + x,
+                           count,
+                           f->g.width,
+                           f->p.min_disparity,
+                           f->p.uniqueness_ratio,
+                           f->g.mode == STAD_MODE_3WAY,
+                           f->raw[slot],
+                           f->votes[slot],
+                           f->vote_cost,
+                           NULL,
+                           0,
+                           0};
     if (f->options & STAD_MATCH_CONFIDENCE)
         job.confidence = f->confidence[slot];
     stad_select_row(&job);
@@ -72,8 +84,8 @@ static void clear_where_none(const stad_frame *f, const int16_t *disp, uint8_t *
 void stad_row_close(stad_frame *f)
 {
     const int32_t slot = f->made % 3, end = f->first_column + f->columns;
-    const stad_check_job job = {f->raw[slot], f->votes[slot], f->first_column, end, f->g.width,
-                                f->p.min_disparity, f->p.disp12_max_diff};
+    const stad_check_job job = {f->raw[slot], f->votes[slot],     f->first_column,     end,
+                                f->g.width,   f->p.min_disparity, f->p.disp12_max_diff};
     f->counts.rejected_check += stad_check_row(&job);
     f->counts.valid += count_valid(f, f->raw[slot]);
     if (f->options & STAD_MATCH_CONFIDENCE)

@@ -46,8 +46,8 @@ static void enter(stad_frame *f, const row_sweep *s, pass *p)
 static stad_path_job path_job(const stad_frame *f, const int16_t *block, int16_t *total, int32_t count, int32_t step)
 {
     const ptrdiff_t first = step > 0 ? 0 : (ptrdiff_t)(count - 1) * f->p.num_disparities;
-    stad_path_job job = {block + first, total ? total + first : NULL, count, f->p.num_disparities, f->stride, step,
-                         f->p.p1, f->p.p2, 0};
+    stad_path_job job = {
+        block + first, total ? total + first : NULL, count, f->p.num_disparities, f->stride, step, f->p.p1, f->p.p2, 0};
     return job;
 }
 

@@ -8,8 +8,20 @@ static stad_box_sat_job sat_job(const stad_frame *f, int32_t in, int32_t out)
 {
     const int three_way = f->g.mode == STAD_MODE_3WAY;
     const int32_t d = f->p.num_disparities, early = f->window_top + f->radius;
-    stad_box_sat_job job = {NULL, NULL, f->hs, f->hs + d, f->columns, d, f->radius, 1, f->wide, 0,
-                            three_way || in <= early, three_way || out <= early, 1, three_way};
+    stad_box_sat_job job = {NULL,
+                            NULL,
+                            f->hs,
+                            f->hs + d,
+                            f->columns,
+                            d,
+                            f->radius,
+                            1,
+                            f->wide,
+                            0,
+                            three_way || in <= early,
+                            three_way || out <= early,
+                            1,
+                            three_way};
     return job;
 }
 

@@ -115,7 +115,7 @@ int stad_rig_fit(stad_rig *r, stad_rig_report *report, const stad_pair *pairs, i
     report->rms_after_q8 = rms_q8(r, pairs, n);
     report->worst_q8 = worst_q8(r);
     report->verdict = verdict_of(report);
-    report->advised = report->verdict == STAD_RIG_CORRECT ||
-                      (report->verdict == STAD_RIG_WATCH && report->span_q8 * 3 >= width * 256);
+    report->advised =
+        report->verdict == STAD_RIG_CORRECT || (report->verdict == STAD_RIG_WATCH && report->span_q8 * 3 >= width * 256);
     return report->verdict;
 }

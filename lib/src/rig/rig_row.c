@@ -15,9 +15,9 @@ enum { BIAS_PX = 512, PHASE_BITS = 4, MAX_SLOPE_Q24 = 1 << 20, MAX_SHIFT_Q16 = 6
  * at 1.06 of its size; the customary a = -0.5 passes 0.88, and matching a blurred row against a sharp one then costs up to a
  * third of what a small drift did. tools/study/marks measures it. */
 static const int8_t taps[16][4] = {
-    {0, 64, 0, 0}, {-4, 64, 4, 0}, {-6, 62, 9, -1}, {-8, 60, 14, -2}, {-9, 57, 19, -3}, {-9, 53, 24, -4},
-    {-9, 49, 30, -6}, {-9, 45, 35, -7}, {-8, 40, 40, -8}, {-7, 35, 45, -9}, {-6, 30, 49, -9},
-    {-4, 24, 53, -9}, {-3, 19, 57, -9}, {-2, 14, 60, -8}, {-1, 9, 62, -6}, {0, 4, 64, -4},
+    {0, 64, 0, 0},    {-4, 64, 4, 0},   {-6, 62, 9, -1},  {-8, 60, 14, -2}, {-9, 57, 19, -3}, {-9, 53, 24, -4},
+    {-9, 49, 30, -6}, {-9, 45, 35, -7}, {-8, 40, 40, -8}, {-7, 35, 45, -9}, {-6, 30, 49, -9}, {-4, 24, 53, -9},
+    {-3, 19, 57, -9}, {-2, 14, 60, -8}, {-1, 9, 62, -6},  {0, 4, 64, -4},
 };
 
 /* Raw rows: row y lies at slot y modulo `slots`. */
@@ -63,8 +63,8 @@ static int32_t whole(uint32_t position)
 static int covered(const stad_rig *r)
 {
     return r->a_q16 >= -MAX_SHIFT_Q16 && r->a_q16 <= MAX_SHIFT_Q16 && r->b_q24 >= -MAX_SLOPE_Q24 && r->b_q24 <= MAX_SLOPE_Q24 &&
-           r->c_q24 >= -MAX_SLOPE_Q24 && r->c_q24 <= MAX_SLOPE_Q24 &&
-           r->width >= 16 && r->width <= STAD_MARK_MAX_SIZE && r->height >= 16 && r->height <= STAD_MARK_MAX_SIZE;
+           r->c_q24 >= -MAX_SLOPE_Q24 && r->c_q24 <= MAX_SLOPE_Q24 && r->width >= 16 && r->width <= STAD_MARK_MAX_SIZE &&
+           r->height >= 16 && r->height <= STAD_MARK_MAX_SIZE;
 }
 
 static void point_at_rows(const source *s, int32_t y0, int32_t height, const uint8_t *row[4])

@@ -21,8 +21,7 @@ void stad_score_config_init(stad_score_config *c, int cost, int min_disparity, i
 int stad_score_begin(stad_score *s, const stad_score_config *c)
 {
     memset(s, 0, sizeof *s);
-    if (c->num_disparities <= 0 || c->threshold_q16 < 0 || c->photo_limit == 0 ||
-        c->cost > STAD_SCORE_WEIGHTED)
+    if (c->num_disparities <= 0 || c->threshold_q16 < 0 || c->photo_limit == 0 || c->cost > STAD_SCORE_WEIGHTED)
         return STAD_E_PARAM;
     for (int i = 0; i < STAD_SCORE_TERMS; i++) {
         if (c->weight_q8[i] < 0)
@@ -114,8 +113,8 @@ static void add_stretch(stad_score_counts *n, const stretch *more)
     n->square_sum_q16 += (int64_t)more->square_sum_q16;
 }
 
-void stad_score_row(stad_score *s, int y, const int16_t *disp_q4_row, const int32_t *truth_q16_row,
-                    const uint8_t *label_row, int width)
+void stad_score_row(stad_score *s, int y, const int16_t *disp_q4_row, const int32_t *truth_q16_row, const uint8_t *label_row,
+                    int width)
 {
     STAD_ASSERT(s && s->config.num_disparities > 0); /* begun */
     (void)y;

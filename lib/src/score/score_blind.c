@@ -29,8 +29,8 @@ static int32_t photo_error(const uint8_t *left, const uint8_t *right, int x, int
     return e < 0 ? -e : e;
 }
 
-void stad_score_row_blind(stad_score *s, int y, const int16_t *disp_q4_row, const uint8_t *left_row,
-                          const uint8_t *right_row, int width)
+void stad_score_row_blind(stad_score *s, int y, const int16_t *disp_q4_row, const uint8_t *left_row, const uint8_t *right_row,
+                          int width)
 {
     STAD_ASSERT(s && s->config.num_disparities > 0 && s->config.photo_limit > 0); /* begun */
     const int min_q4 = s->config.min_disparity * 16;
@@ -46,8 +46,7 @@ void stad_score_row_blind(stad_score *s, int y, const int16_t *disp_q4_row, cons
             continue;
         }
         const int32_t e = photo_error(left_row, right_row, x, width, disp_q4);
-        const int bin =
-            (disp_q4 - min_q4) * 32 / range_q4; /* subpixel steps can leave the range by half a pixel */
+        const int bin = (disp_q4 - min_q4) * 32 / range_q4; /* subpixel steps can leave the range by half a pixel */
         s->counts.matched++;
         s->counts.photo_sum += e < limit ? e : limit;
         s->histogram[bin < 0 ? 0 : bin > 31 ? 31 : bin]++;

@@ -79,7 +79,7 @@ static int32_t blind(const stad_score *s)
 {
     const stad_score_counts *n = &s->counts;
     const int32_t gaps = ratio_q20(n->considered - n->matched + 2 * (int64_t)n->speckle, n->considered);
-    const int32_t rest = photo(s); /* at most 3 + 1, unless the caller counted speckles twice */
+    const int32_t rest = photo(s);        /* at most 3 + 1, unless the caller counted speckles twice */
     return sat_i32((int64_t)gaps + rest); /* STAD_COST_FAILED is the largest int32_t */
 }
 

@@ -110,8 +110,8 @@ static int rig_fits(const stad_setup *s)
         return 0;
     if (!s->corrected)
         return r->a_q16 == 0 && r->b_q24 == 0 && r->c_q24 == 0;
-    return r->a_q16 >= -shift && r->a_q16 <= shift && r->b_q24 >= -slope && r->b_q24 <= slope &&
-           r->c_q24 >= -slope && r->c_q24 <= slope;
+    return r->a_q16 >= -shift && r->a_q16 <= shift && r->b_q24 >= -slope && r->b_q24 <= slope && r->c_q24 >= -slope &&
+           r->c_q24 <= slope;
 }
 
 int stad_setup_check(const stad_setup *setup)

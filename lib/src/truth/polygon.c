@@ -103,8 +103,7 @@ int stad_polygon_hull(stad_corner *points, int32_t count, stad_polygon *hull)
         if (!append(hull, upper, points[i]))
             return 0;
     /* Closing: the last point may lie on the way back to the first. */
-    while (hull->count - upper >= 2 &&
-           stad_polygon_turn(hull->p[hull->count - 2], hull->p[hull->count - 1], hull->p[0]) <= 0)
+    while (hull->count - upper >= 2 && stad_polygon_turn(hull->p[hull->count - 2], hull->p[hull->count - 1], hull->p[0]) <= 0)
         hull->count--;
     return hull->count >= 3;
 }

@@ -77,7 +77,7 @@ static int set_up_vector(sheet_pose *pose)
 }
 
 int stad_sheet_pose(sheet_pose *pose, const stad_target *target, const stad_camera *camera, const stad_plane *base,
-                     const stad_pair *pairs, int n, uint32_t ids)
+                    const stad_pair *pairs, int n, uint32_t ids)
 {
     stad_affine fit[3];
     if (!fit_component(target, camera, base, pairs, pairs + n, ids, fit))
@@ -107,8 +107,8 @@ int stad_sheet_see(const sheet_pose *pose, int32_t x_mm, int32_t y_mm, int32_t h
 {
     int64_t p[3]; /* Q24, below 2^34 + 3 * 2^23 * 2^12 < 2^37 */
     for (int k = 0; k < 3; k++)
-        p[k] = pose->origin[k] + (int64_t)x_mm * pose->along_x[k] + (int64_t)y_mm * pose->along_y[k] +
-               (int64_t)h_mm * pose->up[k];
+        p[k] =
+            pose->origin[k] + (int64_t)x_mm * pose->along_x[k] + (int64_t)y_mm * pose->along_y[k] + (int64_t)h_mm * pose->up[k];
     if (p[2] < 1 << 16)
         return 0;
     const int64_t x = pose->camera.cx_q8 + p[0] * pose->camera.f_q8 / p[2];

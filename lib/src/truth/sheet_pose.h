@@ -23,7 +23,7 @@ typedef struct sheet_sight {
 
 /* The pose from the corners of the pairs in `ids`, their disparity taken from the base plane. 1, or 0 when it is degenerate. */
 int stad_sheet_pose(sheet_pose *pose, const stad_target *target, const stad_camera *camera, const stad_plane *base,
-                     const stad_pair *pairs, int n, uint32_t ids);
+                    const stad_pair *pairs, int n, uint32_t ids);
 
 /* Are a millimetre across and one down alike, and at a right angle, to a part in 32 of their squares? On a sheet that leans they
  * are not when focal length or principal point are wrong. */

@@ -20,8 +20,8 @@ int stad_truth_add_facet(stad_truth *t, const sheet_pose *pose, const stad_targe
             return STAD_E_NO_MARK;
         where.p[i] = sight[i].p;
     }
-    const int64_t area2 = stad_polygon_turn(where.p[0], where.p[1], where.p[2]) +
-                          stad_polygon_turn(where.p[0], where.p[2], where.p[3]);
+    const int64_t area2 =
+        stad_polygon_turn(where.p[0], where.p[1], where.p[2]) + stad_polygon_turn(where.p[0], where.p[2], where.p[3]);
     if (area2 < MIN_FACET_AREA2_Q16 || !stad_plane_through(sight, &plane))
         return 0;
     const int status = stad_truth_add_plane(t, &plane, &where);

@@ -7,8 +7,7 @@
 
 /* Fitted on the design scenes alone, one rung for each kind of scene found there: textured and indoors without and with a
  * block, driving, and for chow large surfaces without texture. (docs/TUNING.md) */
-static const stad_point ladder_bad[] = {
-    {{8, 18, 1, 0, 63, 8}}, {{40, 150, 3, 0, 21, 8}}, {{50, 2200, 9, 0, 41, 8}}};
+static const stad_point ladder_bad[] = {{{8, 18, 1, 0, 63, 8}}, {{40, 150, 3, 0, 21, 8}}, {{50, 2200, 9, 0, 41, 8}}};
 static const stad_point ladder_chow[] = {
     {{30, 90, 3, 34, 17, 1}}, {{8, 18, 1, 24, 63, 1}}, {{35, 2200, 9, 0, 35, 2}}, {{117, 726, 9, 15, 15, 1}}};
 
@@ -20,9 +19,9 @@ static void bring_ladder(stad_tune_config *c, const stad_point *ladder, size_t b
 
 void stad_tune_config_stereo(stad_tune_config *c, int purpose)
 {
-    static const stad_tune_axis stereo[STAD_TUNE_DIMS] = {
-        {1, 4096, 1, STAD_TUNE_AREA, -1}, {2, 8192, 1, STAD_TUNE_AREA, -1}, {1, 11, 1, STAD_TUNE_ODD, -1},
-        {0, 40, 8, STAD_TUNE_LINEAR, -1}, {15, 127, 2, STAD_TUNE_LOG2, 1},  {1, 8, 1, STAD_TUNE_POWER, 1}};
+    static const stad_tune_axis stereo[STAD_TUNE_DIMS] = {{1, 4096, 1, STAD_TUNE_AREA, -1}, {2, 8192, 1, STAD_TUNE_AREA, -1},
+                                                          {1, 11, 1, STAD_TUNE_ODD, -1},    {0, 40, 8, STAD_TUNE_LINEAR, -1},
+                                                          {15, 127, 2, STAD_TUNE_LOG2, 1},  {1, 8, 1, STAD_TUNE_POWER, 1}};
     memset(c, 0, sizeof *c);
     c->method = STAD_TUNE_NCG;
     c->free_mask = (1u << STAD_TUNE_DIMS) - 1;

@@ -12,9 +12,8 @@
 #define ITERATIONS  30
 
 /* The axes in the order that lets a matcher keep most of its work between probes. */
-static const uint8_t sweep_order[STAD_TUNE_DIMS] = {
-    STAD_TUNE_PRE_FILTER_CAP,   STAD_TUNE_P1,         STAD_TUNE_P2,
-    STAD_TUNE_UNIQUENESS_RATIO, STAD_TUNE_BLOCK_SIZE, STAD_TUNE_DISP12_MAX_DIFF};
+static const uint8_t sweep_order[STAD_TUNE_DIMS] = {STAD_TUNE_PRE_FILTER_CAP,   STAD_TUNE_P1,         STAD_TUNE_P2,
+                                                    STAD_TUNE_UNIQUENESS_RATIO, STAD_TUNE_BLOCK_SIZE, STAD_TUNE_DISP12_MAX_DIFF};
 
 static int is_cheap(const stad_tune *t, int i)
 {

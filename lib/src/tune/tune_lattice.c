@@ -41,7 +41,8 @@ static int32_t variable_of(const stad_tune_config *c, int i, int32_t value, int3
     const stad_tune_axis *a = &c->axis[i];
     switch (a->scale) {
     case STAD_TUNE_LINEAR:
-        return clip(stad_div_i64((int64_t)value * TUNE_ONE, a->unit), -STAD_TUNE_UNITS * TUNE_ONE, STAD_TUNE_UNITS * TUNE_ONE); /* clips fixed ones alone */
+        return clip(stad_div_i64((int64_t)value * TUNE_ONE, a->unit), -STAD_TUNE_UNITS * TUNE_ONE,
+                    STAD_TUNE_UNITS * TUNE_ONE); /* clips fixed ones alone */
     case STAD_TUNE_LOG2:
         return stad_log2_q16((uint32_t)(value < 1 ? 1 : value));
     case STAD_TUNE_AREA:

@@ -15,7 +15,8 @@ static int best_of_another_block(const stad_tune *t)
     const int block = t->point[t->lead].v[STAD_TUNE_BLOCK_SIZE];
     int best = -1;
     for (int i = 0; i < t->cursor; i++) {
-        if (t->cost[i] != STAD_COST_FAILED && t->point[i].v[STAD_TUNE_BLOCK_SIZE] != block && (best < 0 || t->cost[i] < t->cost[best]))
+        if (t->cost[i] != STAD_COST_FAILED && t->point[i].v[STAD_TUNE_BLOCK_SIZE] != block &&
+            (best < 0 || t->cost[i] < t->cost[best]))
             best = i;
     }
     return best;

@@ -29,9 +29,7 @@ static void conjugate(wolfe_way *d, const wolfe_spot *old, const wolfe_spot *s)
     beta_q8 = beta_q8 < 0 ? 0 : beta_q8 > 2048 ? 2048 : beta_q8;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
         const int64_t way = -(int64_t)s->slope[i] + beta_q8 * d->way[i] / 256;
-        d->way[i] = (int32_t)(way > WOLFE_SLOPE_MOST    ? WOLFE_SLOPE_MOST
-                              : way < -WOLFE_SLOPE_MOST ? -WOLFE_SLOPE_MOST
-                                                        : way);
+        d->way[i] = (int32_t)(way > WOLFE_SLOPE_MOST ? WOLFE_SLOPE_MOST : way < -WOLFE_SLOPE_MOST ? -WOLFE_SLOPE_MOST : way);
     }
     if (stad_tune_wolfe_dot(d->way, s->slope) >= 0)
         steepest(d, s);

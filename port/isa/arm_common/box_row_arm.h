@@ -40,8 +40,8 @@ static inline void vec4_store(int16_t *p, vec4 v)
 /* Differences of 32 bytes. */
 static inline vec4 vec4_sub_widened(const uint8_t *a, const uint8_t *b)
 {
-    vec4 v = {{vec_sub_widened(a, b), vec_sub_widened(a + 8, b + 8), vec_sub_widened(a + 16, b + 16),
-               vec_sub_widened(a + 24, b + 24)}};
+    vec4 v = {
+        {vec_sub_widened(a, b), vec_sub_widened(a + 8, b + 8), vec_sub_widened(a + 16, b + 16), vec_sub_widened(a + 24, b + 24)}};
     return v;
 }
 #endif
@@ -82,25 +82,25 @@ static inline ptrdiff_t to_next(const stad_slide_job *job, int32_t x)
 
 /* The whole run from the d-th disparity on, the running sums in registers: 32 disparities, then 8. `inside`: no column
  * repeats. */
-#define SLIDE(name, type, set, load, store, add, sub) \
+#define SLIDE(name, type, set, load, store, add, sub)                                                                     \
     static inline __attribute__((always_inline)) void name(const stad_slide_job *job, int32_t d, int inside, int16_t *to) \
-    { \
-        const ptrdiff_t n = job->disparities; \
-        const int32_t r = job->radius, last = job->columns - 1; \
-        const int16_t *in = sum_column(job, job->x - r) + d, *out = in; \
-        type run = set(job->p2); \
-        for (int32_t x = job->x - r; x <= job->x + r; x++) { \
-            run = add(run, load(in)); \
-            in += inside ? n : to_next(job, x); \
-        } \
-        store(to, run); \
-        for (int32_t i = job->count - 1, x = job->x; i > 0; i--, x++) { \
-            run = sub(add(run, load(in)), load(out)); \
-            to += n; \
-            store(to, run); \
-            in += inside || x + r + 1 < last ? n : 0; \
-            out += inside || x >= r ? n : 0; \
-        } \
+    {                                                                                                                     \
+        const ptrdiff_t n = job->disparities;                                                                             \
+        const int32_t r = job->radius, last = job->columns - 1;                                                           \
+        const int16_t *in = sum_column(job, job->x - r) + d, *out = in;                                                   \
+        type run = set(job->p2);                                                                                          \
+        for (int32_t x = job->x - r; x <= job->x + r; x++) {                                                              \
+            run = add(run, load(in));                                                                                     \
+            in += inside ? n : to_next(job, x);                                                                           \
+        }                                                                                                                 \
+        store(to, run);                                                                                                   \
+        for (int32_t i = job->count - 1, x = job->x; i > 0; i--, x++) {                                                   \
+            run = sub(add(run, load(in)), load(out));                                                                     \
+            to += n;                                                                                                      \
+            store(to, run);                                                                                               \
+            in += inside || x + r + 1 < last ? n : 0;                                                                     \
+            out += inside || x >= r ? n : 0;                                                                              \
+        }                                                                                                                 \
     }
 
 SLIDE(slide_32, vec4, vec4_set, vec4_load, vec4_store, vec4_add, vec4_sub)

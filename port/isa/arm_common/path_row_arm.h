@@ -14,7 +14,7 @@ enum total_use { TOTAL_NONE, TOTAL_FRESH, TOTAL_ADD };
 
 /* What a run needs of its job, in registers: stores through vectors might alias the job itself. */
 typedef struct run {
-    int32_t p1, p2, groups; /* of 32 disparities, or of 8 */
+    int32_t p1, p2, groups;    /* of 32 disparities, or of 8 */
     ptrdiff_t stride, to_next; /* to_next: cells from a pixel's end to the next one, in block and total */
 } run;
 
@@ -63,7 +63,7 @@ ALWAYS_INLINE vec4 step_32(state *s, const track *t, int first, const vec4 *cost
 {
     const vec4 below = vec4_load(t->from - 1), here = vec4_load(t->from), above = vec4_load(t->from + 1);
     vec4 path;
-#pragma GCC unroll 4
+#    pragma GCC unroll 4
     for (int j = 0; j < 4; j++) {
         const vec side = vec_add_scalar(vec_min_u16(below.val[j], above.val[j]), p1);
         path.val[j] = vec_path(cost->val[j], vec_min_u16(here.val[j], side), s->delta);
@@ -75,7 +75,7 @@ ALWAYS_INLINE vec4 step_32(state *s, const track *t, int first, const vec4 *cost
 
 ALWAYS_INLINE void add_sat_32(vec4 *sum, vec4 more)
 {
-#pragma GCC unroll 4
+#    pragma GCC unroll 4
     for (int j = 0; j < 4; j++)
         sum->val[j] = vec_add_sat(sum->val[j], more.val[j]);
 }
@@ -86,7 +86,7 @@ ALWAYS_INLINE void thirty_two(state *s, const track *t, int first, const int16_t
 {
     const vec4 cost = vec4_load(block);
     vec4 sum = step_32(&s[0], &t[0], first, &cost, p1);
-#pragma GCC unroll 4
+#    pragma GCC unroll 4
     for (int k = 1; k < count; k++)
         add_sat_32(&sum, step_32(&s[k], &t[k], first, &cost, p1));
     if (use == TOTAL_ADD)
@@ -112,8 +112,8 @@ ALWAYS_INLINE void pixel(const run *r, const int16_t **block, int16_t **total, t
         else
 #endif
 #pragma GCC unroll 4
-        for (int32_t d = 0; d < size; d += 8)
-            eight(s, t, d, only && d == 0, *block, *total, r->p1, count, use);
+            for (int32_t d = 0; d < size; d += 8)
+                eight(s, t, d, only && d == 0, *block, *total, r->p1, count, use);
         *block += size;
         *total += use == TOTAL_NONE ? 0 : size;
 #pragma GCC unroll 4
@@ -153,39 +153,39 @@ ALWAYS_INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count,
 }
 
 /* Each form is a function of its own: compilers allot registers by function. */
-#define FORM(name, count, turns, only, size, use) \
+#define FORM(name, count, turns, only, size, use)                                          \
     static __attribute__((noinline)) void name(const stad_path_job *job, stad_lane *lanes) \
-    { \
-        run_of(job, lanes, count, turns, only, size, use); \
+    {                                                                                      \
+        run_of(job, lanes, count, turns, only, size, use);                                 \
     }
 
 /* Functions <name>_<use>: exactly 32 disparities, a multiple of 32, a multiple of 8. */
-#define FORMS_OF_USE(name, count, turns, use) \
-    FORM(name##_is_32, count, turns, 1, 32, use) \
-    FORM(name##_by_32, count, turns, 0, 32, use) \
-    FORM(name##_by_8, count, turns, 0, 8, use) \
+#define FORMS_OF_USE(name, count, turns, use)                    \
+    FORM(name##_is_32, count, turns, 1, 32, use)                 \
+    FORM(name##_by_32, count, turns, 0, 32, use)                 \
+    FORM(name##_by_8, count, turns, 0, 8, use)                   \
     static void name(const stad_path_job *job, stad_lane *lanes) \
-    { \
-        if (job->disparities == 32) \
-            name##_is_32(job, lanes); \
-        else if (job->disparities % 32 == 0) \
-            name##_by_32(job, lanes); \
-        else \
-            name##_by_8(job, lanes); \
+    {                                                            \
+        if (job->disparities == 32)                              \
+            name##_is_32(job, lanes);                            \
+        else if (job->disparities % 32 == 0)                     \
+            name##_by_32(job, lanes);                            \
+        else                                                     \
+            name##_by_8(job, lanes);                             \
     }
 
-#define FORMS(name, count, turns) \
-    FORMS_OF_USE(name##_none, count, turns, TOTAL_NONE) \
-    FORMS_OF_USE(name##_fresh, count, turns, TOTAL_FRESH) \
-    FORMS_OF_USE(name##_add, count, turns, TOTAL_ADD) \
+#define FORMS(name, count, turns)                                           \
+    FORMS_OF_USE(name##_none, count, turns, TOTAL_NONE)                     \
+    FORMS_OF_USE(name##_fresh, count, turns, TOTAL_FRESH)                   \
+    FORMS_OF_USE(name##_add, count, turns, TOTAL_ADD)                       \
     static void name(const stad_path_job *job, stad_lane *lanes, int fresh) \
-    { \
-        if (!job->total) \
-            name##_none(job, lanes); \
-        else if (fresh) \
-            name##_fresh(job, lanes); \
-        else \
-            name##_add(job, lanes); \
+    {                                                                       \
+        if (!job->total)                                                    \
+            name##_none(job, lanes);                                        \
+        else if (fresh)                                                     \
+            name##_fresh(job, lanes);                                       \
+        else                                                                \
+            name##_add(job, lanes);                                         \
     }
 
 FORMS(one, 1, 0)

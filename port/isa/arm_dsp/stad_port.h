@@ -3,17 +3,17 @@
 #ifndef STAD_PORT_H
 #define STAD_PORT_H
 
-#define stad_prefilter_row   stad_prefilter_row_dsp
-#define stad_range_row       stad_range_row_dsp
-#define stad_cost_row_u8     stad_cost_row_u8_dsp
-#define stad_box_add_row_u8  stad_box_add_row_u8_dsp
-#define stad_block_row       stad_block_row_dsp
-#define stad_slide_row       stad_slide_row_dsp
-#define stad_path_row        stad_path_row_dsp
-#define stad_gather_row      stad_gather_row_dsp
-#define stad_best_row        stad_best_row_dsp
-#define stad_best_row_3way   stad_best_row_3way_dsp
-#define stad_median_row      stad_median_row_dsp
+#define stad_prefilter_row  stad_prefilter_row_dsp
+#define stad_range_row      stad_range_row_dsp
+#define stad_cost_row_u8    stad_cost_row_u8_dsp
+#define stad_box_add_row_u8 stad_box_add_row_u8_dsp
+#define stad_block_row      stad_block_row_dsp
+#define stad_slide_row      stad_slide_row_dsp
+#define stad_path_row       stad_path_row_dsp
+#define stad_gather_row     stad_gather_row_dsp
+#define stad_best_row       stad_best_row_dsp
+#define stad_best_row_3way  stad_best_row_3way_dsp
+#define stad_median_row     stad_median_row_dsp
 
 void stad_prefilter_row_dsp(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
                             int32_t cap, uint8_t *planes);

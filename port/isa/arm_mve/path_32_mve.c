@@ -135,16 +135,16 @@ static void put_back(stad_lane *lane, const place *t, int turns, int32_t count)
 }
 
 /* Each form is a function of its own: compilers allot registers by function. */
-#define FORM(name, n, turns, fresh) \
+#define FORM(name, n, turns, fresh)                                                                   \
     static __attribute__((noinline)) void name(const stad_path_job *job, stad_lane *lanes, stretch s) \
-    { \
-        place t[2] = {place_of(&lanes[0], turns)}; \
-        if (n == 2) \
-            t[1] = place_of(&lanes[1], 0); \
-        run_of(job, &s, t, n, turns, fresh); \
-        put_back(&lanes[0], &t[0], turns, s.count); \
-        if (n == 2) \
-            put_back(&lanes[1], &t[1], 0, s.count); \
+    {                                                                                                 \
+        place t[2] = {place_of(&lanes[0], turns)};                                                    \
+        if (n == 2)                                                                                   \
+            t[1] = place_of(&lanes[1], 0);                                                            \
+        run_of(job, &s, t, n, turns, fresh);                                                          \
+        put_back(&lanes[0], &t[0], turns, s.count);                                                   \
+        if (n == 2)                                                                                   \
+            put_back(&lanes[1], &t[1], 0, s.count);                                                   \
     }
 
 FORM(two_turning_fresh, 2, 1, 1)

@@ -3,25 +3,25 @@
 #ifndef STAD_PORT_H
 #define STAD_PORT_H
 
-#define stad_prefilter_row    stad_prefilter_row_mve
-#define stad_range_row        stad_range_row_mve
-#define stad_cost_row_u8      stad_cost_row_u8_mve
-#define stad_cost_row_u16     stad_cost_row_u16_mve
-#define stad_box_add_row_u8   stad_box_add_row_u8_mve
-#define stad_box_add_row_u16  stad_box_add_row_u16_mve
-#define stad_block_row        stad_block_row_mve
-#define stad_slide_row        stad_slide_row_mve
-#define stad_path_row         stad_path_row_sized_mve
-#define stad_gather_row       stad_gather_row_mve
-#define stad_best_row         stad_best_row_sized_mve
-#define stad_best_row_3way    stad_best_row_3way_mve
-#define stad_refine_row       stad_refine_row_mve
-#define stad_select_row       stad_select_row_mve
-#define stad_check_row        stad_check_row_mve
-#define stad_median_row       stad_median_row_mve
+#define stad_prefilter_row   stad_prefilter_row_mve
+#define stad_range_row       stad_range_row_mve
+#define stad_cost_row_u8     stad_cost_row_u8_mve
+#define stad_cost_row_u16    stad_cost_row_u16_mve
+#define stad_box_add_row_u8  stad_box_add_row_u8_mve
+#define stad_box_add_row_u16 stad_box_add_row_u16_mve
+#define stad_block_row       stad_block_row_mve
+#define stad_slide_row       stad_slide_row_mve
+#define stad_path_row        stad_path_row_sized_mve
+#define stad_gather_row      stad_gather_row_mve
+#define stad_best_row        stad_best_row_sized_mve
+#define stad_best_row_3way   stad_best_row_3way_mve
+#define stad_refine_row      stad_refine_row_mve
+#define stad_select_row      stad_select_row_mve
+#define stad_check_row       stad_check_row_mve
+#define stad_median_row      stad_median_row_mve
 
-void stad_prefilter_row_mve(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width,
-                             int32_t channels, int32_t cap, uint8_t *planes);
+void stad_prefilter_row_mve(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
+                            int32_t cap, uint8_t *planes);
 void stad_range_row_mve(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
 void stad_cost_row_u8_mve(const stad_cost_job *job, uint8_t *cost);
 void stad_cost_row_u16_mve(const stad_cost_job *job, uint16_t *cost);

@@ -74,8 +74,10 @@ static inline __attribute__((always_inline)) void vec4_store(int16_t *p, vec4 v)
 static inline vec4 vec4_sub_widened(const uint8_t *a, const uint8_t *b)
 {
     const uint8x16x2_t in = vld1q_u8_x2(a), out = vld1q_u8_x2(b);
-    const uint16x8_t first = vsubl_u8(vget_low_u8(in.val[0]), vget_low_u8(out.val[0])), second = vsubl_high_u8(in.val[0], out.val[0]);
-    const uint16x8_t third = vsubl_u8(vget_low_u8(in.val[1]), vget_low_u8(out.val[1])), fourth = vsubl_high_u8(in.val[1], out.val[1]);
+    const uint16x8_t first = vsubl_u8(vget_low_u8(in.val[0]), vget_low_u8(out.val[0])),
+                     second = vsubl_high_u8(in.val[0], out.val[0]);
+    const uint16x8_t third = vsubl_u8(vget_low_u8(in.val[1]), vget_low_u8(out.val[1])),
+                     fourth = vsubl_high_u8(in.val[1], out.val[1]);
     const vec4 v = {{vreinterpretq_s16_u16(first), vreinterpretq_s16_u16(second), vreinterpretq_s16_u16(third),
                      vreinterpretq_s16_u16(fourth)}};
     return v;
@@ -90,12 +92,12 @@ static inline vec4 vec4_sub_widened(const uint8_t *a, const uint8_t *b)
 #define VEC_OF_U16(a) vreinterpretq_s16_u16(a)
 #define VEC_OF_U8(a)  vreinterpretq_s16_u8(a)
 
-#define vec_load_u8(p)         vec_load(p)
-#define vec_store_u8(p, v)     vec_store(p, v)
+#define vec_load_u8(p)           vec_load(p)
+#define vec_store_u8(p, v)       vec_store(p, v)
 #define vec_add_quarter_u8(a, b) VEC_OF_U8(vsraq_n_u8(VEC_U8(a), VEC_U8(b), 2)) /* a + b / 4 */
-#define vec_widen(p)           VEC_OF_U16(vmovl_u8(vld1_u8(p))) /* 8 bytes as 16-bit lanes */
-#define vec_sub_widened(p, q)  VEC_OF_U16(vsubl_u8(vld1_u8(p), vld1_u8(q)))
-#define vec_store_low_u8(p, v) vst1_u8(p, vmovn_u16(VEC_U16(v)))
+#define vec_widen(p)             VEC_OF_U16(vmovl_u8(vld1_u8(p)))               /* 8 bytes as 16-bit lanes */
+#define vec_sub_widened(p, q)    VEC_OF_U16(vsubl_u8(vld1_u8(p), vld1_u8(q)))
+#define vec_store_low_u8(p, v)   vst1_u8(p, vmovn_u16(VEC_U16(v)))
 
 #if VEC_FOURS
 /* One or two vectors of each of three rows. */
@@ -112,7 +114,7 @@ static inline __attribute__((always_inline)) uint8x16x2_t vec_load_row_u8(const 
 }
 
 static inline __attribute__((always_inline)) vec_rows_u8 vec_load_rows_u8(const uint8_t *value, const uint8_t *low,
-                                                                         const uint8_t *high, int32_t groups)
+                                                                          const uint8_t *high, int32_t groups)
 {
     const vec_rows_u8 rows = {vec_load_row_u8(value, groups), vec_load_row_u8(low, groups), vec_load_row_u8(high, groups)};
     return rows;

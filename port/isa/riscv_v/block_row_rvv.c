@@ -20,30 +20,30 @@ RVV_INLINE vuint16m8_t change_u16(const uint16_t *in, const uint16_t *out, size_
 }
 
 /* The whole row of the strip's disparities, from the one at `at` on: hs(in) - hs(out) stays in registers. */
-#define BLOCK(name, cost_t, change) \
-    static void name(const stad_block_job *job, size_t at, size_t vl, uint16_t *to) \
-    { \
-        const cost_t *in = (const cost_t *)job->in + at, *out = (const cost_t *)job->out + at; \
-        const cost_t *in_left = in, *out_left = out; \
-        const ptrdiff_t n = job->disparities; \
-        const int32_t r = job->radius; \
-        vuint16m8_t hs = __riscv_vmv_v_x_u16m8(0, vl); \
-        for (int32_t x = -r - 1; x < r; x++) \
+#define BLOCK(name, cost_t, change)                                                                                \
+    static void name(const stad_block_job *job, size_t at, size_t vl, uint16_t *to)                                \
+    {                                                                                                              \
+        const cost_t *in = (const cost_t *)job->in + at, *out = (const cost_t *)job->out + at;                     \
+        const cost_t *in_left = in, *out_left = out;                                                               \
+        const ptrdiff_t n = job->disparities;                                                                      \
+        const int32_t r = job->radius;                                                                             \
+        vuint16m8_t hs = __riscv_vmv_v_x_u16m8(0, vl);                                                             \
+        for (int32_t x = -r - 1; x < r; x++)                                                                       \
             hs = __riscv_vadd_vv_u16m8(hs, change(in + block_column(job, x), out + block_column(job, x), vl), vl); \
-        in += block_column(job, r); \
-        out += block_column(job, r); \
-        for (int32_t x = 0; x < job->columns;) { \
-            const block_zone zone = block_zone_at(job, x); \
-            for (; x < zone.end; x++, to += n) { \
-                hs = __riscv_vadd_vv_u16m8(hs, change(in, out, vl), vl); \
-                hs = __riscv_vsub_vv_u16m8(hs, change(in_left, out_left, vl), vl); \
-                __riscv_vse16_v_u16m8(to, __riscv_vadd_vv_u16m8(__riscv_vle16_v_u16m8(to, vl), hs, vl), vl); \
-                in += zone.plus; \
-                out += zone.plus; \
-                in_left += zone.minus; \
-                out_left += zone.minus; \
-            } \
-        } \
+        in += block_column(job, r);                                                                                \
+        out += block_column(job, r);                                                                               \
+        for (int32_t x = 0; x < job->columns;) {                                                                   \
+            const block_zone zone = block_zone_at(job, x);                                                         \
+            for (; x < zone.end; x++, to += n) {                                                                   \
+                hs = __riscv_vadd_vv_u16m8(hs, change(in, out, vl), vl);                                           \
+                hs = __riscv_vsub_vv_u16m8(hs, change(in_left, out_left, vl), vl);                                 \
+                __riscv_vse16_v_u16m8(to, __riscv_vadd_vv_u16m8(__riscv_vle16_v_u16m8(to, vl), hs, vl), vl);       \
+                in += zone.plus;                                                                                   \
+                out += zone.plus;                                                                                  \
+                in_left += zone.minus;                                                                             \
+                out_left += zone.minus;                                                                            \
+            }                                                                                                      \
+        }                                                                                                          \
     }
 
 BLOCK(block_strip_u8, uint8_t, change_u8)

@@ -54,8 +54,7 @@ INLINE void pixel(const run *r, const uint16_t *block, uint16_t *total, track *t
     for (size_t at = 0, vl; at < r->n; at += vl) {
         vl = __riscv_vsetvl_e16m4(r->n - at);
         const vuint16m4_t after = __riscv_vadd_vx_u16m4(__riscv_vle16_v_u16m4(block + at, vl), 1, vl);
-#define LANE(k) \
-    step(room[k], &least_##k, (const uint16_t *)t[k].from + at, (uint16_t *)t[k].to + at, after, r->p1, vl)
+#define LANE(k) step(room[k], &least_##k, (const uint16_t *)t[k].from + at, (uint16_t *)t[k].to + at, after, r->p1, vl)
         vuint16m4_t sum = LANE(0);
         if (count > 1)
             sum = add_sat(sum, LANE(1), vl);
@@ -68,7 +67,7 @@ INLINE void pixel(const run *r, const uint16_t *block, uint16_t *total, track *t
         if (use != TOTAL_NONE)
             __riscv_vse16_v_u16m4(total + at, sum, vl);
     }
-#define NEXT(k) \
+#define NEXT(k)    \
     if (count > k) \
     track_next(&t[k], turns && (k) == 0, __riscv_vmv_x_s_u16m1_u16(least_##k), 0, r->stride)
     NEXT(0);
@@ -101,24 +100,24 @@ INLINE void run_of(const stad_path_job *job, stad_lane *lanes, int count, int tu
     }
 }
 
-#define FORM(name, count, turns, use) \
+#define FORM(name, count, turns, use)                                                      \
     static __attribute__((noinline)) void name(const stad_path_job *job, stad_lane *lanes) \
-    { \
-        run_of(job, lanes, count, turns, use); \
+    {                                                                                      \
+        run_of(job, lanes, count, turns, use);                                             \
     }
 
-#define FORMS(name, count, turns) \
-    FORM(name##_none, count, turns, TOTAL_NONE) \
-    FORM(name##_fresh, count, turns, TOTAL_FRESH) \
-    FORM(name##_add, count, turns, TOTAL_ADD) \
+#define FORMS(name, count, turns)                                           \
+    FORM(name##_none, count, turns, TOTAL_NONE)                             \
+    FORM(name##_fresh, count, turns, TOTAL_FRESH)                           \
+    FORM(name##_add, count, turns, TOTAL_ADD)                               \
     static void name(const stad_path_job *job, stad_lane *lanes, int fresh) \
-    { \
-        if (!job->total) \
-            name##_none(job, lanes); \
-        else if (fresh) \
-            name##_fresh(job, lanes); \
-        else \
-            name##_add(job, lanes); \
+    {                                                                       \
+        if (!job->total)                                                    \
+            name##_none(job, lanes);                                        \
+        else if (fresh)                                                     \
+            name##_fresh(job, lanes);                                       \
+        else                                                                \
+            name##_add(job, lanes);                                         \
     }
 
 FORMS(one, 1, 0)

@@ -15,8 +15,8 @@ INLINE vint16m4_t slope(const uint8_t *row, size_t vl)
         __riscv_vwsubu_vv_u16m4(__riscv_vle8_v_u8m2(row + 1, vl), __riscv_vle8_v_u8m2(row - 1, vl), vl));
 }
 
-void stad_prefilter_row_rvv(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width,
-                            int32_t channels, int32_t cap, uint8_t *planes)
+void stad_prefilter_row_rvv(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
+                            int32_t cap, uint8_t *planes)
 {
     uint8_t *gradient = planes, *intensity = planes + width;
     if (channels != 1 || width < 3) {
@@ -59,8 +59,7 @@ void stad_range_row_rvv(const uint8_t *plane, int32_t width, int reverse, uint8_
         const vuint8m4_t after = __riscv_vaaddu_vv_u8m4(here, __riscv_vle8_v_u8m4(plane + x + 1, vl), __RISCV_VXRM_RDN, vl);
         put(to, here, reverse, vl);
         put(to + width, __riscv_vminu_vv_u8m4(here, __riscv_vminu_vv_u8m4(before, after, vl), vl), reverse, vl);
-        put(to + 2 * (ptrdiff_t)width, __riscv_vmaxu_vv_u8m4(here, __riscv_vmaxu_vv_u8m4(before, after, vl), vl), reverse,
-            vl);
+        put(to + 2 * (ptrdiff_t)width, __riscv_vmaxu_vv_u8m4(here, __riscv_vmaxu_vv_u8m4(before, after, vl), vl), reverse, vl);
     }
     range_edge(plane, 1, width, out + (reverse ? width - 1 : 0));
     range_edge(plane + width - 1, -1, width, out + (reverse ? 0 : width - 1));
@@ -75,10 +74,10 @@ INLINE vint16m2_t median_of(vint16m2_t a, vint16m2_t b, vint16m2_t c, size_t vl)
 }
 
 /* Low, mid and high of three rows at column x. */
-#define SORTED(name, x) \
+#define SORTED(name, x)                                                                                                  \
     const vint16m2_t name##_a = __riscv_vle16_v_i16m2(above + (x), vl), name##_b = __riscv_vle16_v_i16m2(row + (x), vl), \
-                     name##_c = __riscv_vle16_v_i16m2(below + (x), vl), name##_l = MIN(name##_a, name##_b), \
-                     name##_h = MAX(name##_a, name##_b), name##_low = MIN(name##_l, name##_c), \
+                     name##_c = __riscv_vle16_v_i16m2(below + (x), vl), name##_l = MIN(name##_a, name##_b),              \
+                     name##_h = MAX(name##_a, name##_b), name##_low = MIN(name##_l, name##_c),                           \
                      name##_mid = MAX(name##_l, MIN(name##_h, name##_c)), name##_high = MAX(name##_h, name##_c)
 
 void stad_median_row_rvv(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out)

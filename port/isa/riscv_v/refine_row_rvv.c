@@ -16,15 +16,17 @@ void stad_refine_row_rvv(const int16_t *total, const stad_best *best, int32_t co
         const vbool8_t inside = __riscv_vmand_mm_b8(__riscv_vmsgt_vx_i16m2_b8(index, 0, vl),
                                                     __riscv_vmslt_vx_i16m2_b8(index, (int16_t)(disparities - 1), vl), vl);
         const vuint32m4_t column = __riscv_vmul_vx_u32m4(__riscv_vid_v_u32m4(vl), column_bytes, vl);
-        const vuint32m4_t at = __riscv_vadd_vv_u32m4(
-            column, __riscv_vreinterpret_v_i32m4_u32m4(__riscv_vwmul_vx_i32m4(index, 2, vl)), vl);
+        const vuint32m4_t at =
+            __riscv_vadd_vv_u32m4(column, __riscv_vreinterpret_v_i32m4_u32m4(__riscv_vwmul_vx_i32m4(index, 2, vl)), vl);
         const vint16m2_t zero = __riscv_vmv_v_x_i16m2(0, vl);
         const vint16m2_t before = __riscv_vluxei32_v_i16m2_mu(inside, zero, total - 1, at, vl);
         const vint16m2_t after = __riscv_vluxei32_v_i16m2_mu(inside, zero, total + 1, at, vl);
-        const vint32m4_t bend = __riscv_vsub_vv_i32m4(__riscv_vwadd_vv_i32m4(before, after, vl), __riscv_vwmul_vx_i32m4(here, 2, vl), vl);
+        const vint32m4_t bend =
+            __riscv_vsub_vv_i32m4(__riscv_vwadd_vv_i32m4(before, after, vl), __riscv_vwmul_vx_i32m4(here, 2, vl), vl);
         const vint32m4_t curve = __riscv_vmax_vx_i32m4(bend, 1, vl);
         const vint32m4_t tilt = __riscv_vsll_vx_i32m4(__riscv_vwsub_vv_i32m4(before, after, vl), 4, vl);
-        const vint32m4_t move = __riscv_vdiv_vv_i32m4(__riscv_vadd_vv_i32m4(tilt, curve, vl), __riscv_vadd_vv_i32m4(curve, curve, vl), vl);
+        const vint32m4_t move =
+            __riscv_vdiv_vv_i32m4(__riscv_vadd_vv_i32m4(tilt, curve, vl), __riscv_vadd_vv_i32m4(curve, curve, vl), vl);
         const vint16m2_t whole = __riscv_vsll_vx_i16m2(index, 4, vl);
         const vint16m2_t moved = __riscv_vadd_vv_i16m2(whole, __riscv_vncvt_x_x_w_i16m2(move, vl), vl);
         __riscv_vse16_v_i16m2(fine, __riscv_vmerge_vvm_i16m2(whole, moved, inside, vl), vl);

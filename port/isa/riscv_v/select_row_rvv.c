@@ -29,8 +29,8 @@ static inline void vote(const stad_select_job *job, vint16m2_t index, vint16m2_t
         if (__riscv_vcpop_m_b8(lost, vl) == 0)
             return;
         held = __riscv_vluxei16_v_i16m2_m(lost, job->vote_cost, at, vl);
-        const vbool8_t equal = __riscv_vmand_mm_b8(__riscv_vmseq_vv_i16m2_b8(least, held, vl),
-                                                   __riscv_vmsgt_vv_i16m2_b8(disparity, stayed, vl), vl);
+        const vbool8_t equal =
+            __riscv_vmand_mm_b8(__riscv_vmseq_vv_i16m2_b8(least, held, vl), __riscv_vmsgt_vv_i16m2_b8(disparity, stayed, vl), vl);
         may = __riscv_vmand_mm_b8(lost, __riscv_vmor_mm_b8(__riscv_vmslt_vv_i16m2_b8(least, held, vl), equal, vl), vl);
     }
 }
@@ -67,7 +67,8 @@ void stad_select_row_rvv(stad_select_job *shared)
         const int32_t x = job.x + (int32_t)i, accepted = (int32_t)__riscv_vcpop_m_b8(clear, vl);
         firm += (int32_t)(vl - __riscv_vcpop_m_b8(weak, vl));
         rejected += (int32_t)vl - accepted;
-        __riscv_vse16_v_i16m2_m(clear, job.disp + x, __riscv_vadd_vx_i16m2(__riscv_vle16_v_i16m2(job.fine + i, vl), shift, vl), vl);
+        __riscv_vse16_v_i16m2_m(clear, job.disp + x, __riscv_vadd_vx_i16m2(__riscv_vle16_v_i16m2(job.fine + i, vl), shift, vl),
+                                vl);
         vote(&job, __riscv_vlse16_v_i16m2(&job.best[i].index, sizeof *job.best, vl), least, x, clear, vl);
     }
     shared->firm = job.firm + firm;

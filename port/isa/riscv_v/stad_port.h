@@ -4,23 +4,23 @@
 #ifndef STAD_PORT_H
 #define STAD_PORT_H
 
-#define stad_prefilter_row    stad_prefilter_row_rvv
-#define stad_range_row        stad_range_row_rvv
-#define stad_cost_row_u8      stad_cost_row_u8_rvv
-#define stad_box_add_row_u8   stad_box_add_row_u8_rvv
-#define stad_block_row        stad_block_row_rvv
-#define stad_slide_row        stad_slide_row_rvv
-#define stad_path_row         stad_path_row_rvv
-#define stad_gather_row       stad_gather_row_rvv
-#define stad_best_row         stad_best_row_rvv
-#define stad_best_row_3way    stad_best_row_3way_rvv
-#define stad_refine_row       stad_refine_row_rvv
-#define stad_select_row       stad_select_row_rvv
-#define stad_check_row        stad_check_row_rvv
-#define stad_median_row       stad_median_row_rvv
+#define stad_prefilter_row  stad_prefilter_row_rvv
+#define stad_range_row      stad_range_row_rvv
+#define stad_cost_row_u8    stad_cost_row_u8_rvv
+#define stad_box_add_row_u8 stad_box_add_row_u8_rvv
+#define stad_block_row      stad_block_row_rvv
+#define stad_slide_row      stad_slide_row_rvv
+#define stad_path_row       stad_path_row_rvv
+#define stad_gather_row     stad_gather_row_rvv
+#define stad_best_row       stad_best_row_rvv
+#define stad_best_row_3way  stad_best_row_3way_rvv
+#define stad_refine_row     stad_refine_row_rvv
+#define stad_select_row     stad_select_row_rvv
+#define stad_check_row      stad_check_row_rvv
+#define stad_median_row     stad_median_row_rvv
 
-void stad_prefilter_row_rvv(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width,
-                            int32_t channels, int32_t cap, uint8_t *planes);
+void stad_prefilter_row_rvv(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
+                            int32_t cap, uint8_t *planes);
 void stad_range_row_rvv(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
 void stad_cost_row_u8_rvv(const stad_cost_job *job, uint8_t *cost);
 void stad_box_add_row_u8_rvv(int16_t *sum, const uint8_t *cost, int32_t n, int32_t weight);

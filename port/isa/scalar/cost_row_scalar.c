@@ -20,8 +20,7 @@ WORD_INLINE plane_pair pair_at(const stad_cost_job *job, int32_t plane, int32_t 
 {
     const ptrdiff_t width = job->width;
     const uint8_t *left = job->left + plane * 3 * width + x;
-    plane_pair p = {left[0], left[width], left[2 * width],
-                    job->right + plane * 3 * width + (width - 1 - x + job->min_disparity)};
+    plane_pair p = {left[0], left[width], left[2 * width], job->right + plane * 3 * width + (width - 1 - x + job->min_disparity)};
     return p;
 }
 

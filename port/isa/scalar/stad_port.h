@@ -4,12 +4,12 @@
 #ifndef STAD_PORT_H
 #define STAD_PORT_H
 
-#define stad_cost_row_u8     stad_cost_row_u8_scalar
-#define stad_block_row       stad_block_row_scalar
-#define stad_slide_row       stad_slide_row_scalar
-#define stad_path_row        stad_path_row_scalar
-#define stad_best_row        stad_best_row_scalar
-#define stad_best_row_3way   stad_best_row_3way_scalar
+#define stad_cost_row_u8   stad_cost_row_u8_scalar
+#define stad_block_row     stad_block_row_scalar
+#define stad_slide_row     stad_slide_row_scalar
+#define stad_path_row      stad_path_row_scalar
+#define stad_best_row      stad_best_row_scalar
+#define stad_best_row_3way stad_best_row_3way_scalar
 
 void stad_cost_row_u8_scalar(const stad_cost_job *job, uint8_t *cost);
 void stad_block_row_scalar(const stad_block_job *job, int16_t *block);

@@ -9,8 +9,9 @@
 
 TRACK_INLINE uint16_t step(wide_pixel *pixel, int count, uint16_t delta)
 {
-    return count == 1 ? stad_path_one_wide(pixel, delta)
-                      : count == 2 ? stad_path_two_wide(pixel, delta) : stad_path_four_wide(pixel, delta);
+    return count == 1   ? stad_path_one_wide(pixel, delta)
+           : count == 2 ? stad_path_two_wide(pixel, delta)
+                        : stad_path_four_wide(pixel, delta);
 }
 
 /* `stretch` pixels, in which no ring turns. */
@@ -33,8 +34,10 @@ TRACK_INLINE void take_stretch(const stad_path_job *job, wide_pixel *p, track *t
 /* Lanes of a whole run; the first turns where it goes along the row. count and turns are constants where it is inlined. */
 TRACK_INLINE void run_of(const stad_path_job *job, stad_lane *const *lanes, int count, int turns)
 {
-    wide_pixel p = {.block = (const uint16_t *)job->block, .total = (uint16_t *)job->total,
-                    .disparities = job->disparities, .p1 = (uint16_t)job->p1};
+    wide_pixel p = {.block = (const uint16_t *)job->block,
+                    .total = (uint16_t *)job->total,
+                    .disparities = job->disparities,
+                    .p1 = (uint16_t)job->p1};
     track t[4];
     int32_t stretch;
     for (int32_t left = job->count; left > 0; left -= stretch) {

@@ -5,11 +5,11 @@
 #ifndef STAD_PORT_H
 #define STAD_PORT_H
 
-#define stad_cost_row_u8     stad_cost_row_u8_wide
-#define stad_path_row        stad_path_row_wide
-#define stad_best_row        stad_best_row_wide
-#define stad_best_row_3way   stad_best_row_3way_wide
-#define stad_median_row      stad_median_row_wide
+#define stad_cost_row_u8   stad_cost_row_u8_wide
+#define stad_path_row      stad_path_row_wide
+#define stad_best_row      stad_best_row_wide
+#define stad_best_row_3way stad_best_row_3way_wide
+#define stad_median_row    stad_median_row_wide
 
 void stad_cost_row_u8_wide(const stad_cost_job *job, uint8_t *cost);
 void stad_path_row_wide(const stad_path_job *job, stad_lane *lanes, int32_t lane_count);

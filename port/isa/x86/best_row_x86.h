@@ -7,8 +7,7 @@
 #define KEEP_8     INT16_MIN, INT16_MIN, INT16_MIN, INT16_MIN, INT16_MIN, INT16_MIN, INT16_MIN, INT16_MIN
 #define KEEP_64    KEEP_8, KEEP_8, KEEP_8, KEEP_8, KEEP_8, KEEP_8, KEEP_8, KEEP_8
 #define KEEP_REACH KEEP_64, KEEP_64, KEEP_64, KEEP_64
-static const int16_t around_winner[2 * MASK_REACH + 3] = {KEEP_REACH, STAD_COST_MAX, STAD_COST_MAX, STAD_COST_MAX,
-                                                          KEEP_REACH};
+static const int16_t around_winner[2 * MASK_REACH + 3] = {KEEP_REACH, STAD_COST_MAX, STAD_COST_MAX, STAD_COST_MAX, KEEP_REACH};
 
 static inline int least_total(const int16_t *total, int32_t n)
 {

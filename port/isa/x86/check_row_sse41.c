@@ -36,18 +36,21 @@ static inline __m128i agrees(const stad_check_job *job, __m128i vote, __m128i di
 /* Which of the eight pixels from column x on fail, as all ones. */
 static inline __m128i failing(const stad_check_job *job, int32_t x, __m128i disp, __m128i none)
 {
-    const __m128i first = _mm_srai_epi16(disp, 4), columns = _mm_add_epi16(_mm_set1_epi16((int16_t)x), _mm_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m128i first = _mm_srai_epi16(disp, 4),
+                  columns = _mm_add_epi16(_mm_set1_epi16((int16_t)x), _mm_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7));
     const __m128i whole = _mm_cmpeq_epi16(_mm_and_si128(disp, _mm_set1_epi16(15)), _mm_setzero_si128());
     const __m128i second = _mm_add_epi16(first, _mm_andnot_si128(whole, _mm_set1_epi16(1)));
     const __m128i right = _mm_sub_epi16(columns, first), last = _mm_sub_epi16(columns, second);
-    const __m128i below = _mm_max_epi16(_mm_min_epi16(_mm_sub_epi16(right, _mm_set1_epi16(1)), _mm_set1_epi16((int16_t)(job->width - 2))),
-                                        _mm_setzero_si128());
-    const __m128i a = votes_at(job->vote_disp, _mm_cvtsi128_si64(below)), b = votes_at(job->vote_disp, _mm_extract_epi64(below, 1));
+    const __m128i below = _mm_max_epi16(
+        _mm_min_epi16(_mm_sub_epi16(right, _mm_set1_epi16(1)), _mm_set1_epi16((int16_t)(job->width - 2))), _mm_setzero_si128());
+    const __m128i a = votes_at(job->vote_disp, _mm_cvtsi128_si64(below)),
+                  b = votes_at(job->vote_disp, _mm_extract_epi64(below, 1));
     const __m128i low = _mm_packs_epi32(_mm_srai_epi32(_mm_slli_epi32(a, 16), 16), _mm_srai_epi32(_mm_slli_epi32(b, 16), 16));
     const __m128i high = _mm_packs_epi32(_mm_srai_epi32(a, 16), _mm_srai_epi32(b, 16));
     const __m128i vote = _mm_blendv_epi8(high, low, _mm_cmpeq_epi16(right, _mm_setzero_si128()));
     const __m128i other = _mm_blendv_epi8(low, vote, whole);
-    const __m128i outside = _mm_or_si128(_mm_cmplt_epi16(last, _mm_setzero_si128()), _mm_cmpgt_epi16(right, _mm_set1_epi16((int16_t)(job->width - 1))));
+    const __m128i outside = _mm_or_si128(_mm_cmplt_epi16(last, _mm_setzero_si128()),
+                                         _mm_cmpgt_epi16(right, _mm_set1_epi16((int16_t)(job->width - 1))));
     const __m128i kept = _mm_or_si128(_mm_or_si128(agrees(job, vote, first), agrees(job, other, second)), outside);
     return _mm_andnot_si128(_mm_or_si128(kept, _mm_cmpeq_epi16(disp, none)), _mm_set1_epi16(-1));
 }

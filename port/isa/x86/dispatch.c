@@ -61,15 +61,15 @@ static int tier_for_bytes(int32_t n)
 }
 
 #define STAD_DISPATCH(tier, kernel, arguments) \
-    do { \
-        if ((tier) == TIER_AVX512) \
-            kernel##_avx512 arguments; \
-        else if ((tier) == TIER_AVX2) \
-            kernel##_avx2 arguments; \
-        else if ((tier) == TIER_SSE41) \
-            kernel##_sse41 arguments; \
-        else \
-            kernel##_c arguments; \
+    do {                                       \
+        if ((tier) == TIER_AVX512)             \
+            kernel##_avx512 arguments;         \
+        else if ((tier) == TIER_AVX2)          \
+            kernel##_avx2 arguments;           \
+        else if ((tier) == TIER_SSE41)         \
+            kernel##_sse41 arguments;          \
+        else                                   \
+            kernel##_c arguments;              \
     } while (0)
 
 void stad_prefilter_row_x86(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,

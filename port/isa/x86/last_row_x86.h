@@ -27,8 +27,8 @@ static inline __attribute__((always_inline)) int last_pixel(course *c, const int
     return vec_least(least);
 }
 
-static inline __attribute__((always_inline)) void last_run(const stad_path_job *job, stad_lane *lane, int vectors,
-                                                           int three_way, stad_best *best)
+static inline __attribute__((always_inline)) void last_run(const stad_path_job *job, stad_lane *lane, int vectors, int three_way,
+                                                           stad_best *best)
 {
     const int16_t *block = job->block, *from = lane->cost + (ptrdiff_t)(1 - lane->write) * job->stride;
     course c = {vec_set(job->p1), vec_set(job->p2), vec_set(lane->least[1 - lane->write]), job->disparities, job->stride};

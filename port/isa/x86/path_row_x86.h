@@ -26,8 +26,8 @@ static inline walker walk(const course *c, stad_lane *lane, int across)
 {
     const int32_t to = lane->write, from = to + 1 == lane->slots ? 0 : to + 1;
     const vec delta = vec_add(across ? c->across_least : vec_set(lane->least[from]), c->p2);
-    walker w = {lane->cost + (ptrdiff_t)from * c->stride, lane->cost + (ptrdiff_t)to * c->stride, lane->least + to,
-                delta, vec_set(STAD_COST_MAX)};
+    walker w = {lane->cost + (ptrdiff_t)from * c->stride, lane->cost + (ptrdiff_t)to * c->stride, lane->least + to, delta,
+                vec_set(STAD_COST_MAX)};
     lane->write = from;
     return w;
 }
@@ -103,8 +103,8 @@ static inline __attribute__((always_inline)) void pixel(course *c, const int16_t
 #pragma GCC unroll 4
         for (int i = 0; i < count; i++) {
             const int by_shift = VEC_SHIFT_ALWAYS || (VEC_SHIFT_ACROSS && across && i == 0);
-            const vec path = by_shift ? step_shifted(c, &w[i], &r[i], d, cost, vector_after(c, &w[i], d))
-                                      : step_loaded(c, &w[i], d, cost);
+            const vec path =
+                by_shift ? step_shifted(c, &w[i], &r[i], d, cost, vector_after(c, &w[i], d)) : step_loaded(c, &w[i], d, cost);
             sum = i == 0 || use == TOTAL_NONE ? path : vec_add_sat(sum, path);
         }
         put_total(total, d, sum, use);
@@ -116,8 +116,8 @@ static inline __attribute__((always_inline)) void pixel(course *c, const int16_t
         *w[i].least_to = (int16_t)vec_least(w[i].least);
 }
 
-static inline __attribute__((always_inline)) void run_of(const stad_path_job *job, stad_lane *lanes, int32_t count,
-                                                         int across, enum total_use use)
+static inline __attribute__((always_inline)) void run_of(const stad_path_job *job, stad_lane *lanes, int32_t count, int across,
+                                                         enum total_use use)
 {
     const ptrdiff_t to_next = (ptrdiff_t)job->step * job->disparities;
     course c = {vec_set(job->p1), vec_set(job->p2), vec_set(0), job->disparities, job->stride};
@@ -132,14 +132,14 @@ static inline __attribute__((always_inline)) void run_of(const stad_path_job *jo
     }
 }
 
-#define STAD_RUN_OF(count, across) \
-    do { \
-        if (!job->total) \
-            run_of(job, lanes, count, across, TOTAL_NONE); \
-        else if (job->fresh) \
+#define STAD_RUN_OF(count, across)                          \
+    do {                                                    \
+        if (!job->total)                                    \
+            run_of(job, lanes, count, across, TOTAL_NONE);  \
+        else if (job->fresh)                                \
             run_of(job, lanes, count, across, TOTAL_FRESH); \
-        else \
-            run_of(job, lanes, count, across, TOTAL_ADD); \
+        else                                                \
+            run_of(job, lanes, count, across, TOTAL_ADD);   \
     } while (0)
 
 void STAD_TIER(stad_path_row)(const stad_path_job *job, stad_lane *lanes, int32_t lane_count)

@@ -6,7 +6,7 @@
 
 /* -- the bound symbols: choose a tier -- */
 void stad_prefilter_row_x86(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
-                           int32_t cap, uint8_t *planes);
+                            int32_t cap, uint8_t *planes);
 void stad_range_row_x86(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
 void stad_cost_row_u8_x86(const stad_cost_job *job, uint8_t *cost);
 void stad_cost_row_u16_x86(const stad_cost_job *job, uint16_t *cost);
@@ -26,7 +26,7 @@ void stad_median_row_x86(const int16_t *above, const int16_t *row, const int16_t
 
 /* -- 128-bit vectors -- */
 void stad_prefilter_row_sse41(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
-                           int32_t cap, uint8_t *planes);
+                              int32_t cap, uint8_t *planes);
 void stad_range_row_sse41(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
 void stad_cost_row_u8_sse41(const stad_cost_job *job, uint8_t *cost);
 void stad_cost_row_u16_sse41(const stad_cost_job *job, uint16_t *cost);
@@ -39,14 +39,15 @@ void stad_gather_row_sse41(int16_t *total, const stad_lane *lane, int32_t slot, 
 void stad_best_row_sse41(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_best_row_3way_sse41(const int16_t *total, int32_t count, int32_t disparities, stad_best *best);
 void stad_last_row_sse41(const stad_path_job *job, stad_lane *lane, int three_way, stad_best *best);
-void stad_refine_row_sse41(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities, int16_t *fine); /* at every tier */
+void stad_refine_row_sse41(const int16_t *total, const stad_best *best, int32_t count, int32_t disparities,
+                           int16_t *fine); /* at every tier */
 void stad_median_row_sse41(const int16_t *above, const int16_t *row, const int16_t *below, int32_t width, int16_t *out);
-void stad_select_row_sse41(stad_select_job *job); /* at every tier */
+void stad_select_row_sse41(stad_select_job *job);        /* at every tier */
 int32_t stad_check_row_sse41(const stad_check_job *job); /* at every tier */
 
 /* -- 256-bit vectors -- */
 void stad_prefilter_row_avx2(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
-                           int32_t cap, uint8_t *planes);
+                             int32_t cap, uint8_t *planes);
 void stad_range_row_avx2(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
 void stad_cost_row_u8_avx2(const stad_cost_job *job, uint8_t *cost);
 void stad_cost_row_u16_avx2(const stad_cost_job *job, uint16_t *cost);
@@ -63,7 +64,7 @@ void stad_median_row_avx2(const int16_t *above, const int16_t *row, const int16_
 
 /* -- 512-bit vectors -- */
 void stad_prefilter_row_avx512(const uint8_t *above, const uint8_t *row, const uint8_t *below, int32_t width, int32_t channels,
-                           int32_t cap, uint8_t *planes);
+                               int32_t cap, uint8_t *planes);
 void stad_range_row_avx512(const uint8_t *plane, int32_t width, int reverse, uint8_t *out);
 void stad_cost_row_u8_avx512(const stad_cost_job *job, uint8_t *cost);
 void stad_cost_row_u16_avx512(const stad_cost_job *job, uint16_t *cost);

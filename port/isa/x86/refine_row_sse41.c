@@ -32,8 +32,8 @@ static inline __m128i refine_four(const int16_t *total, const stad_best *best, i
     const __m128i rise = _mm_add_epi32(_mm_slli_epi32(_mm_sub_epi32(before, after), 4), curve);
     const __m128i moved = _mm_cvttps_epi32(_mm_div_ps(_mm_cvtepi32_ps(rise), _mm_cvtepi32_ps(_mm_add_epi32(curve, curve))));
     const __m128i index = _mm_set_epi32(best[3].index, best[2].index, best[1].index, best[0].index);
-    const __m128i inside = _mm_and_si128(_mm_cmpgt_epi32(index, _mm_setzero_si128()),
-                                         _mm_cmplt_epi32(index, _mm_set1_epi32(n - 1)));
+    const __m128i inside =
+        _mm_and_si128(_mm_cmpgt_epi32(index, _mm_setzero_si128()), _mm_cmplt_epi32(index, _mm_set1_epi32(n - 1)));
     return _mm_add_epi32(_mm_slli_epi32(index, 4), _mm_and_si128(moved, inside));
 }
 

@@ -24,7 +24,7 @@ static inline void store(void *p, __m128i v)
 }
 
 /* The lane of `order`'s place p goes to p. */
-#define ARRANGE(v, a, b, c, d, e, f, g, h) \
+#define ARRANGE(v, a, b, c, d, e, f, g, h)                                                                                     \
     _mm_shuffle_epi8(v, _mm_set_epi8(2 * h + 1, 2 * h, 2 * g + 1, 2 * g, 2 * f + 1, 2 * f, 2 * e + 1, 2 * e, 2 * d + 1, 2 * d, \
                                      2 * c + 1, 2 * c, 2 * b + 1, 2 * b, 2 * a + 1, 2 * a))
 

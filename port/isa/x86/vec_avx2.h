@@ -6,8 +6,8 @@
 #include <immintrin.h>
 #include <stdint.h>
 
-#define STAD_TIER(name) name##_avx2
-#define VEC_LANES       16
+#define STAD_TIER(name)  name##_avx2
+#define VEC_LANES        16
 #define VEC_SHIFT_ALWAYS 0
 #define VEC_SHIFT_ACROSS 1
 
@@ -34,36 +34,36 @@ static inline vec vec_set(int v)
     return _mm256_set1_epi16((short)v);
 }
 
-#define vec_set_u8(v)    _mm256_set1_epi8((char)(v))
-#define vec_min(a, b)    _mm256_min_epi16(a, b)
-#define vec_min_u16(a, b) _mm256_min_epu16(a, b)
-#define vec_max(a, b)    _mm256_max_epi16(a, b)
-#define vec_add(a, b)    _mm256_add_epi16(a, b)
-#define vec_sub(a, b)    _mm256_sub_epi16(a, b)
-#define vec_mul(a, b)    _mm256_mullo_epi16(a, b)
-#define vec_add_sat(a, b) _mm256_adds_epi16(a, b)
-#define vec_sub_floor(a, b) _mm256_subs_epu16(a, b) /* max(a - b, 0) for lanes read as unsigned */
-#define vec_and(a, b)    _mm256_and_si256(a, b)
-#define vec_shift_right(a, n) _mm256_srli_epi16(a, n)
-#define vec_min_u8(a, b) _mm256_min_epu8(a, b)
-#define vec_max_u8(a, b) _mm256_max_epu8(a, b)
-#define vec_add_u8(a, b) _mm256_add_epi8(a, b)
+#define vec_set_u8(v)          _mm256_set1_epi8((char)(v))
+#define vec_min(a, b)          _mm256_min_epi16(a, b)
+#define vec_min_u16(a, b)      _mm256_min_epu16(a, b)
+#define vec_max(a, b)          _mm256_max_epi16(a, b)
+#define vec_add(a, b)          _mm256_add_epi16(a, b)
+#define vec_sub(a, b)          _mm256_sub_epi16(a, b)
+#define vec_mul(a, b)          _mm256_mullo_epi16(a, b)
+#define vec_add_sat(a, b)      _mm256_adds_epi16(a, b)
+#define vec_sub_floor(a, b)    _mm256_subs_epu16(a, b) /* max(a - b, 0) for lanes read as unsigned */
+#define vec_and(a, b)          _mm256_and_si256(a, b)
+#define vec_shift_right(a, n)  _mm256_srli_epi16(a, n)
+#define vec_min_u8(a, b)       _mm256_min_epu8(a, b)
+#define vec_max_u8(a, b)       _mm256_max_epu8(a, b)
+#define vec_add_u8(a, b)       _mm256_add_epi8(a, b)
 #define vec_sub_floor_u8(a, b) _mm256_subs_epu8(a, b)
-#define vec_mean_up_u8(a, b) _mm256_avg_epu8(a, b)
-#define vec_xor(a, b)    _mm256_xor_si256(a, b)
+#define vec_mean_up_u8(a, b)   _mm256_avg_epu8(a, b)
+#define vec_xor(a, b)          _mm256_xor_si256(a, b)
 
 /* The lane before each lane of `here`, its first lane the last of the vector before, and the mirror image. A seam is the
  * upper half of one vector and the lower half of the next: both shifts across it share it. */
 typedef vec vec_seam;
-#define vec_join(here, after)         _mm256_permute2x128_si256(here, after, 0x21)
+#define vec_join(here, after)          _mm256_permute2x128_si256(here, after, 0x21)
 #define vec_behind(seam, before, here) _mm256_alignr_epi8(here, seam, 14)
 #define vec_ahead(here, after, seam)   _mm256_alignr_epi8(seam, here, 2)
 
 /* Bytes in reverse order. */
 static inline vec vec_reverse_u8(vec v)
 {
-    const __m256i within = _mm256_set_epi8(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7, 8,
-                                           9, 10, 11, 12, 13, 14, 15);
+    const __m256i within = _mm256_set_epi8(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
+                                           11, 12, 13, 14, 15);
     const __m256i turned = _mm256_shuffle_epi8(v, within);
     return _mm256_permute2x128_si256(turned, turned, 1);
 }

@@ -6,8 +6,8 @@
 #include <immintrin.h>
 #include <stdint.h>
 
-#define STAD_TIER(name) name##_avx512
-#define VEC_LANES       32
+#define STAD_TIER(name)  name##_avx512
+#define VEC_LANES        32
 #define VEC_SHIFT_ALWAYS 1
 #define VEC_SHIFT_ACROSS 1
 
@@ -34,23 +34,23 @@ static inline vec vec_set(int v)
     return _mm512_set1_epi16((short)v);
 }
 
-#define vec_set_u8(v)    _mm512_set1_epi8((char)(v))
-#define vec_min(a, b)    _mm512_min_epi16(a, b)
-#define vec_min_u16(a, b) _mm512_min_epu16(a, b)
-#define vec_max(a, b)    _mm512_max_epi16(a, b)
-#define vec_add(a, b)    _mm512_add_epi16(a, b)
-#define vec_sub(a, b)    _mm512_sub_epi16(a, b)
-#define vec_mul(a, b)    _mm512_mullo_epi16(a, b)
-#define vec_add_sat(a, b) _mm512_adds_epi16(a, b)
-#define vec_sub_floor(a, b) _mm512_subs_epu16(a, b) /* max(a - b, 0) for lanes read as unsigned */
-#define vec_and(a, b)    _mm512_and_si512(a, b)
-#define vec_xor(a, b)    _mm512_xor_si512(a, b)
-#define vec_shift_right(a, n) _mm512_srli_epi16(a, n)
-#define vec_min_u8(a, b) _mm512_min_epu8(a, b)
-#define vec_max_u8(a, b) _mm512_max_epu8(a, b)
-#define vec_add_u8(a, b) _mm512_add_epi8(a, b)
+#define vec_set_u8(v)          _mm512_set1_epi8((char)(v))
+#define vec_min(a, b)          _mm512_min_epi16(a, b)
+#define vec_min_u16(a, b)      _mm512_min_epu16(a, b)
+#define vec_max(a, b)          _mm512_max_epi16(a, b)
+#define vec_add(a, b)          _mm512_add_epi16(a, b)
+#define vec_sub(a, b)          _mm512_sub_epi16(a, b)
+#define vec_mul(a, b)          _mm512_mullo_epi16(a, b)
+#define vec_add_sat(a, b)      _mm512_adds_epi16(a, b)
+#define vec_sub_floor(a, b)    _mm512_subs_epu16(a, b) /* max(a - b, 0) for lanes read as unsigned */
+#define vec_and(a, b)          _mm512_and_si512(a, b)
+#define vec_xor(a, b)          _mm512_xor_si512(a, b)
+#define vec_shift_right(a, n)  _mm512_srli_epi16(a, n)
+#define vec_min_u8(a, b)       _mm512_min_epu8(a, b)
+#define vec_max_u8(a, b)       _mm512_max_epu8(a, b)
+#define vec_add_u8(a, b)       _mm512_add_epi8(a, b)
 #define vec_sub_floor_u8(a, b) _mm512_subs_epu8(a, b)
-#define vec_mean_up_u8(a, b) _mm512_avg_epu8(a, b)
+#define vec_mean_up_u8(a, b)   _mm512_avg_epu8(a, b)
 
 /* The lane before each lane of `here`, its first lane the last of the vector before, and the mirror image; one permutation
  * crosses everything, so a seam is nothing. */
@@ -59,8 +59,8 @@ typedef int vec_seam;
 
 static inline vec lanes_up_from(int first)
 {
-    const __m512i count = _mm512_set_epi16(31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11,
-                                           10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+    const __m512i count = _mm512_set_epi16(31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10,
+                                           9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
     return _mm512_add_epi16(count, _mm512_set1_epi16((short)first));
 }
 

@@ -6,8 +6,8 @@
 #include <smmintrin.h>
 #include <stdint.h>
 
-#define STAD_TIER(name) name##_sse41
-#define VEC_LANES       8
+#define STAD_TIER(name)  name##_sse41
+#define VEC_LANES        8
 #define VEC_SHIFT_ALWAYS 0
 #define VEC_SHIFT_ACROSS 0
 
@@ -34,28 +34,28 @@ static inline vec vec_set(int v)
     return _mm_set1_epi16((short)v);
 }
 
-#define vec_set_u8(v)    _mm_set1_epi8((char)(v))
-#define vec_min(a, b)    _mm_min_epi16(a, b)
-#define vec_min_u16(a, b) _mm_min_epu16(a, b)
-#define vec_max(a, b)    _mm_max_epi16(a, b)
-#define vec_add(a, b)    _mm_add_epi16(a, b)
-#define vec_sub(a, b)    _mm_sub_epi16(a, b)
-#define vec_mul(a, b)    _mm_mullo_epi16(a, b)
-#define vec_add_sat(a, b) _mm_adds_epi16(a, b)
-#define vec_sub_floor(a, b) _mm_subs_epu16(a, b) /* max(a - b, 0) for lanes read as unsigned */
-#define vec_and(a, b)    _mm_and_si128(a, b)
-#define vec_shift_right(a, n) _mm_srli_epi16(a, n)
-#define vec_min_u8(a, b) _mm_min_epu8(a, b)
-#define vec_max_u8(a, b) _mm_max_epu8(a, b)
-#define vec_add_u8(a, b) _mm_add_epi8(a, b)
+#define vec_set_u8(v)          _mm_set1_epi8((char)(v))
+#define vec_min(a, b)          _mm_min_epi16(a, b)
+#define vec_min_u16(a, b)      _mm_min_epu16(a, b)
+#define vec_max(a, b)          _mm_max_epi16(a, b)
+#define vec_add(a, b)          _mm_add_epi16(a, b)
+#define vec_sub(a, b)          _mm_sub_epi16(a, b)
+#define vec_mul(a, b)          _mm_mullo_epi16(a, b)
+#define vec_add_sat(a, b)      _mm_adds_epi16(a, b)
+#define vec_sub_floor(a, b)    _mm_subs_epu16(a, b) /* max(a - b, 0) for lanes read as unsigned */
+#define vec_and(a, b)          _mm_and_si128(a, b)
+#define vec_shift_right(a, n)  _mm_srli_epi16(a, n)
+#define vec_min_u8(a, b)       _mm_min_epu8(a, b)
+#define vec_max_u8(a, b)       _mm_max_epu8(a, b)
+#define vec_add_u8(a, b)       _mm_add_epi8(a, b)
 #define vec_sub_floor_u8(a, b) _mm_subs_epu8(a, b)
-#define vec_mean_up_u8(a, b) _mm_avg_epu8(a, b)
-#define vec_xor(a, b)    _mm_xor_si128(a, b)
+#define vec_mean_up_u8(a, b)   _mm_avg_epu8(a, b)
+#define vec_xor(a, b)          _mm_xor_si128(a, b)
 
 /* The lane before each lane of `here`, its first lane the last of the vector before, and the mirror image. A seam is what
  * wider vectors need to shift across their middle: nothing here. */
 typedef int vec_seam;
-#define vec_join(here, after)         0
+#define vec_join(here, after)          0
 #define vec_behind(seam, before, here) ((void)(seam), _mm_alignr_epi8(here, before, 14))
 #define vec_ahead(here, after, seam)   ((void)(seam), _mm_alignr_epi8(after, here, 2))
 

@@ -20,7 +20,8 @@ typedef struct trial_frame {
     uint8_t *rest;
 } trial_frame;
 
-int trial_read(trial_scene *s, const char *left, const char *right, const char *truth, const char *mask, int disparities, tool_fail *f);
+int trial_read(trial_scene *s, const char *left, const char *right, const char *truth, const char *mask, int disparities,
+               tool_fail *f);
 
 #define TRIAL_WITHOUT_TARGET 2
 

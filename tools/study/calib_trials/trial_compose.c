@@ -8,13 +8,12 @@
 
 #include "stad/score.h"
 
-int trial_read(trial_scene *s, const char *left, const char *right, const char *truth, const char *mask,
-               int disparities, tool_fail *f)
+int trial_read(trial_scene *s, const char *left, const char *right, const char *truth, const char *mask, int disparities,
+               tool_fail *f)
 {
     if (engine_read_pair(&s->left, &s->right, left, right, 0, f) != TOOL_OK)
         return f->status;
-    if (truth_read(&s->truth, truth, 0, 0, f) != TOOL_OK ||
-        (mask && truth_mask(&s->truth, mask, f) != TOOL_OK))
+    if (truth_read(&s->truth, truth, 0, 0, f) != TOOL_OK || (mask && truth_mask(&s->truth, mask, f) != TOOL_OK))
         return f->status;
     s->width = s->left.width;
     s->height = s->left.height;
@@ -125,8 +124,7 @@ void trial_compose(trial_frame *out, const trial_scene *s, int which, int kind, 
     }
 }
 
-double trial_bad(engine *e, const trial_scene *s, const trial_frame *frame, const stad_params *p,
-                 int32_t *cost)
+double trial_bad(engine *e, const trial_scene *s, const trial_frame *frame, const stad_params *p, int32_t *cost)
 {
     tool_fail f = {0, ""};
     disparity d;

@@ -35,16 +35,14 @@ static void set_up(bench *b)
 {
     tool_fail f;
     const trial_scene *s = &b->scene;
-    stad_geometry g = {
-        (int16_t)s->width, (int16_t)s->height, 1, (int16_t)s->disparities, MAX_BLOCK, MAX_P2, MAX_CAP,
-        STAD_MODE_SGBM,    STAD_MEMORY_FAST};
+    stad_geometry g = {(int16_t)s->width, (int16_t)s->height, 1, (int16_t)s->disparities, MAX_BLOCK, MAX_P2, MAX_CAP,
+                       STAD_MODE_SGBM,    STAD_MEMORY_FAST};
     b->geometry = g;
     if (engine_open(&b->engine, &g, &f) != TOOL_OK) {
         fprintf(stderr, "%s\n", f.text);
         exit(f.status);
     }
-    b->work_bytes =
-        larger(stad_calib_frame_bytes(s->width, s->height), stad_calib_evaluate_bytes(&g)) + STAD_ALIGN;
+    b->work_bytes = larger(stad_calib_frame_bytes(s->width, s->height), stad_calib_evaluate_bytes(&g)) + STAD_ALIGN;
     b->work_bytes = b->work_bytes / STAD_ALIGN * STAD_ALIGN;
     void *work = NULL;
     if (posix_memalign(&work, STAD_ALIGN, b->work_bytes) != 0)
@@ -63,8 +61,7 @@ static void show(const bench *b, stad_calib *c, int which)
     const stad_image left = picture_view(&b->frame[which].left), right = picture_view(&b->frame[which].right);
     const int status = stad_calib_frame(c, &left, &right, b->work, b->work_bytes);
     if (status < 0)
-        fprintf(stderr, "frame %d: %s, fault %d\n", which, stad_status_name(status),
-                stad_calib_report_of(c)->fault);
+        fprintf(stderr, "frame %d: %s, fault %d\n", which, stad_status_name(status), stad_calib_report_of(c)->fault);
 }
 
 /* Set in use and presets: cost on the tuning pose, on the other pose, bad share of the rest; percent. */
@@ -88,12 +85,10 @@ static void print_ladder(bench *b, stad_calib *c)
             r.params.disp12_max_diff = x.v[STAD_TUNE_DISP12_MAX_DIFF];
         }
         for (int hold = 0; hold < 2; hold++) {
-            const stad_image left = picture_view(&b->frame[hold].left),
-                             right = picture_view(&b->frame[hold].right);
+            const stad_image left = picture_view(&b->frame[hold].left), right = picture_view(&b->frame[hold].right);
             r.hold = (uint8_t)hold;
             r.box = c->pose[hold].box;
-            q[hold] =
-                stad_calib_evaluate(c, &r, &evaluator, &left, &right, b->work, b->work_bytes) / 10485.76;
+            q[hold] = stad_calib_evaluate(c, &r, &evaluator, &left, &right, b->work, b->work_bytes) / 10485.76;
         }
         printf("%s[%.4f, %.4f, %.4f]", i < 0 ? "\"ladder\": [" : ", ", q[0], q[1], rest_bad(b, &r.params));
     }
@@ -127,10 +122,8 @@ static stad_calib_report run(bench *b, int rule, int tunes, int ladder, stad_par
             if (ladder)
                 print_ladder(b, &c);
             ladder = 0;
-            const stad_image left = picture_view(&b->frame[r.hold].left),
-                             right = picture_view(&b->frame[r.hold].right);
-            stad_calib_cost(&c,
-                            stad_calib_evaluate(&c, &r, &evaluator, &left, &right, b->work, b->work_bytes));
+            const stad_image left = picture_view(&b->frame[r.hold].left), right = picture_view(&b->frame[r.hold].right);
+            stad_calib_cost(&c, stad_calib_evaluate(&c, &r, &evaluator, &left, &right, b->work, b->work_bytes));
         } else {
             stad_calib_saved(&c, 0);
         }
@@ -142,15 +135,14 @@ static stad_calib_report run(bench *b, int rule, int tunes, int ladder, stad_par
 
 static void print_params(const char *name, const stad_params *p)
 {
-    printf("\"%s_params\": [%d, %d, %d, %d, %d, %d], ", name, p->p1, p->p2, p->block_size,
-           p->uniqueness_ratio, p->pre_filter_cap, p->disp12_max_diff);
+    printf("\"%s_params\": [%d, %d, %d, %d, %d, %d], ", name, p->p1, p->p2, p->block_size, p->uniqueness_ratio, p->pre_filter_cap,
+           p->disp12_max_diff);
 }
 
 /* The rest, seen through both poses' frames: their mean. */
 static double rest_bad(bench *b, const stad_params *p)
 {
-    return (trial_bad(&b->engine, &b->scene, &b->frame[0], p, NULL) +
-            trial_bad(&b->engine, &b->scene, &b->frame[1], p, NULL)) /
+    return (trial_bad(&b->engine, &b->scene, &b->frame[0], p, NULL) + trial_bad(&b->engine, &b->scene, &b->frame[1], p, NULL)) /
            2;
 }
 
@@ -162,9 +154,9 @@ static void try_rule(bench *b, const char *name, int rule, int tunes)
     printf("\"%s\": {\"bad\": %.4f, \"outcome\": %d, \"fault\": %d, \"evaluations\": %d, \"preset\": %d, "
            "\"tuned\": %d, "
            "\"tune\": [%.3f, %.3f], \"judge\": [%.3f, %.3f], \"verdict\": %d, \"worst_px\": %.3f}, ",
-           name, rest_bad(b, &p), r.outcome, r.fault, r.evaluations, r.preset, r.tuned,
-           r.tune_before_q20 / 10485.76, r.tune_after_q20 / 10485.76, r.judge_before_q20 / 10485.76,
-           r.judge_after_q20 / 10485.76, r.verdict_before, r.rig.worst_q8 / 256.0);
+           name, rest_bad(b, &p), r.outcome, r.fault, r.evaluations, r.preset, r.tuned, r.tune_before_q20 / 10485.76,
+           r.tune_after_q20 / 10485.76, r.judge_before_q20 / 10485.76, r.judge_after_q20 / 10485.76, r.verdict_before,
+           r.rig.worst_q8 / 256.0);
 }
 
 /* What the scene's own truth would give: ncg on the rest of pose 0, scored like everything else. */
@@ -177,8 +169,7 @@ static void try_full(bench *b, int evaluations)
     int32_t cost;
     stad_tune_config_stereo(&config, STAD_TUNE_FOR_BAD);
     config.budget = (int16_t)evaluations;
-    const stad_point start = {
-        {p.p1, p.p2, p.block_size, p.uniqueness_ratio, p.pre_filter_cap, p.disp12_max_diff}};
+    const stad_point start = {{p.p1, p.p2, p.block_size, p.uniqueness_ratio, p.pre_filter_cap, p.disp12_max_diff}};
     if (stad_tune_init(&t, &config, &start) != STAD_OK)
         exit(2);
     for (;;) {
@@ -198,8 +189,7 @@ static void try_full(bench *b, int evaluations)
         stad_tune_tell(&t, cost);
     }
     print_params("full", &p);
-    printf("\"full\": {\"bad\": %.4f, \"evaluations\": %d}, ", rest_bad(b, &p),
-           stad_tune_counts_of(&t).evaluations);
+    printf("\"full\": {\"bad\": %.4f, \"evaluations\": %d}, ", rest_bad(b, &p), stad_tune_counts_of(&t).evaluations);
 }
 
 int main(int argc, char **argv)
@@ -213,8 +203,8 @@ int main(int argc, char **argv)
     }
     const int kind = atoi(argv[5]);
     b.seed = (unsigned)strtoul(argv[6], NULL, 10);
-    if (trial_read(&b.scene, argv[1], argv[2], argv[3], argc > 7 && strcmp(argv[7], "-") ? argv[7] : NULL,
-                   atoi(argv[4]), &f) != TOOL_OK) {
+    if (trial_read(&b.scene, argv[1], argv[2], argv[3], argc > 7 && strcmp(argv[7], "-") ? argv[7] : NULL, atoi(argv[4]), &f) !=
+        TOOL_OK) {
         fprintf(stderr, "calib-trial: %s\n", f.text);
         return f.status;
     }

@@ -201,8 +201,8 @@ static int pair_frames(const uint8_t *left, const uint8_t *right, int width, int
 }
 
 /* Truth of the relief (relief != 0) or the flat board from a pair of frames, every row of it. Returns the status. */
-int study_truth(const uint8_t *left, const uint8_t *right, const study_scene *s, int num_disparities, int margin,
-                double *truth, uint8_t *label)
+int study_truth(const uint8_t *left, const uint8_t *right, const study_scene *s, int num_disparities, int margin, double *truth,
+                uint8_t *label)
 {
     stad_pair pairs[32];
     stad_truth t;
@@ -231,11 +231,16 @@ int study_rig(const uint8_t *left, const uint8_t *right, int frames, int width, 
     stad_rig_report report;
     int n = 0;
     for (int i = 0; i < frames && n <= 992; i++)
-        n += pair_frames(left + (size_t)i * (size_t)(width * height), right + (size_t)i * (size_t)(width * height), width,
-                         height, pairs + n);
+        n += pair_frames(left + (size_t)i * (size_t)(width * height), right + (size_t)i * (size_t)(width * height), width, height,
+                         pairs + n);
     const int verdict = stad_rig_fit(rig, &report, pairs, n, width, height);
-    const double values[8] = {verdict, rig->a_q16 / 65536.0, rig->b_q24 / 16777216.0, rig->c_q24 / 16777216.0,
-                              report.rms_before_q8 / 256.0, report.rms_after_q8 / 256.0, report.worst_q8 / 256.0,
+    const double values[8] = {verdict,
+                              rig->a_q16 / 65536.0,
+                              rig->b_q24 / 16777216.0,
+                              rig->c_q24 / 16777216.0,
+                              report.rms_before_q8 / 256.0,
+                              report.rms_after_q8 / 256.0,
+                              report.worst_q8 / 256.0,
                               report.advised};
     memcpy(numbers, values, sizeof values);
     return n;

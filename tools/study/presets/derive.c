@@ -39,8 +39,7 @@ static stad_params params_of(const trial_scene *s, const stad_point *x)
 static double ratio(int scene, int kind, const stad_point *x)
 {
     stad_params p = params_of(&all.scene[scene], x);
-    return trial_bad(&all.engine[scene], &all.scene[scene], &all.frame[scene][kind], &p, NULL) /
-           all.sample[scene][kind];
+    return trial_bad(&all.engine[scene], &all.scene[scene], &all.frame[scene][kind], &p, NULL) / all.sample[scene][kind];
 }
 
 /* kind TARGET_KINDS: all of them. */
@@ -60,14 +59,13 @@ static void load(int argc, char **argv)
     for (int a = 0; a + 4 < argc && all.scenes < SCENES; a += 5) {
         const int i = all.scenes++;
         trial_scene *s = &all.scene[i];
-        if (trial_read(s, argv[a], argv[a + 1], argv[a + 2], strcmp(argv[a + 4], "-") ? argv[a + 4] : NULL,
-                       atoi(argv[a + 3]), &f) != TOOL_OK) {
+        if (trial_read(s, argv[a], argv[a + 1], argv[a + 2], strcmp(argv[a + 4], "-") ? argv[a + 4] : NULL, atoi(argv[a + 3]),
+                       &f) != TOOL_OK) {
             fprintf(stderr, "preset-derive: %s\n", f.text);
             exit(f.status);
         }
-        const stad_geometry g = {
-            (int16_t)s->width, (int16_t)s->height, 1, (int16_t)s->disparities, 11, 8192, 127,
-            STAD_MODE_SGBM,    STAD_MEMORY_FAST};
+        const stad_geometry g = {(int16_t)s->width, (int16_t)s->height, 1, (int16_t)s->disparities, 11, 8192, 127,
+                                 STAD_MODE_SGBM,    STAD_MEMORY_FAST};
         if (engine_open(&all.engine[i], &g, &f) != TOOL_OK)
             exit(f.status);
         for (int k = 0; k < TARGET_KINDS; k++) {
@@ -98,17 +96,15 @@ static stad_point derive(int kind, int evaluations)
 int main(int argc, char **argv)
 {
     if (argc < 7) {
-        fprintf(stderr,
-                "usage: preset-derive EVALUATIONS (LEFT RIGHT DISPARITY NUM_DISPARITIES MASK|-)...\n");
+        fprintf(stderr, "usage: preset-derive EVALUATIONS (LEFT RIGHT DISPARITY NUM_DISPARITIES MASK|-)...\n");
         return TOOL_USAGE;
     }
     load(argc - 2, argv + 2);
     printf("{\n");
     for (int kind = 0; kind <= TARGET_KINDS; kind++) {
         const stad_point x = derive(kind, atoi(argv[1]));
-        printf("\"%s\": {\"point\": [%d, %d, %d, %d, %d, %d], \"under\": [",
-               kind < TARGET_KINDS ? target_kind_name(kind) : "all", x.v[0], x.v[1], x.v[2], x.v[3], x.v[4],
-               x.v[5]);
+        printf("\"%s\": {\"point\": [%d, %d, %d, %d, %d, %d], \"under\": [", kind < TARGET_KINDS ? target_kind_name(kind) : "all",
+               x.v[0], x.v[1], x.v[2], x.v[3], x.v[4], x.v[5]);
         for (int k = 0; k < TARGET_KINDS; k++)
             printf("%s%.4f", k ? ", " : "", cost(k, &x));
         printf("]}%s\n", kind < TARGET_KINDS ? "," : "");
