@@ -5,7 +5,7 @@
  * OPTIONS: -eva-min-loop-unroll 6 -eva-slevel 0 -eva-split-return full -eva-use-spec hold -eva-slevel-function stad_tune_look:9 -eva-slevel-function line_search:99 -eva-slevel-function try_step:99 -eva-slevel-function stad_tune_joint_step:99 -eva-slevel-function stad_tune_follow:99
  *
  * How long the moves are when `hold` has shortened them, and how far a slope over its scale reaches, prove_reach.c shows. */
-#include "proof/prove_tune.h"
+#include "proof/prove_look.h"
 
 /*@ assigns \result, move[0 .. 5] \from move[0 .. 5], most;
     ensures 0 <= \result <= 3 * 65536;
@@ -14,20 +14,6 @@
 static int32_t hold(const stad_tune *tune, int32_t *move, int64_t most);
 
 #include "tune/tune_step.c"
-
-int stad_tune_look(stad_tune *tune, const stad_point *x, int32_t *cost)
-{
-    (void)tune, (void)x;
-    if (any(0, 1))
-        return 0;
-    *cost = any(0, INT32_MAX);
-    return 1;
-}
-
-int stad_tune_same(const stad_point *a, const stad_point *b)
-{
-    return a->v[0] == b->v[0] && any(0, 1);
-}
 
 int32_t stad_tune_rise(int32_t from, int32_t to)
 {

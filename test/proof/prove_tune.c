@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * proof/prove_tune.c - the tuner's way between variables and points, and its log, with the config for stereo: any start, any variables within
- * 2^29, any cost told.
+ * proof/prove_tune.c - the tuner's way between variables and points, and its log, with the config for stereo: any start, any
+ * variables within 2^29, any cost told.
  * SOURCES: tune/tune_lattice.c tune/tune_log.c tune/tune_config.c base/log.c base/divide.c */
 #include "proof/prove.h"
 #include "tune/tune_core.h"

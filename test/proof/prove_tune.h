@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * proof/prove_tune.h - a tuner in the midst of any search, and a walk of any kind, for the proofs of its methods.
  *
- * The log answers with any cost or not at all. Coordinates as stereo has them, and others of the widest ranges there are; any of
- * them free or cheap, any budget and seed, points of the coordinates' ranges, linear ones within 1024 units of zero. In the place of base/log.c and base/divide.c, proved by prove_base.c and
- * prove_score.c, stand their results: a logarithm of a range is nothing that ranges can tell. */
+ * Coordinates as stereo has them, and others of the widest ranges there are; any of them free or cheap, any budget and seed,
+ * points of the coordinates' ranges, linear ones within 1024 units of zero. In the place of base/log.c and base/divide.c, proved
+ * by prove_base.c and prove_score.c, stand their results: a logarithm of a range is nothing that ranges can tell. */
 #ifndef PROVE_TUNE_H
 #define PROVE_TUNE_H
 

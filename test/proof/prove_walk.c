@@ -2,28 +2,11 @@
  * proof/prove_walk.c - a walk from any state that prove_tune.h gives: axes swept, polls, leaps; the state stays one of these.
  * SOURCES: tune/tune_walk.c tune/tune_lattice.c tune/tune_config.c
  * PRECISION: 1
- * OPTIONS: -eva-min-loop-unroll 6 -eva-slevel 0 -eva-split-return full -eva-slevel-function stad_tune_look:9 -eva-slevel-function probe_at:99 -eva-slevel-function second_probe:99 -eva-slevel-function stad_tune_sweep_axis:999 -eva-slevel-function stad_tune_poll:99 -eva-slevel-function try_there:99 -eva-slevel-function stad_tune_leap:99
+ * OPTIONS: -eva-min-loop-unroll 6 -eva-slevel 0 -eva-split-return full -eva-slevel-function stad_tune_look:9 -eva-slevel-function probe_at:99 -eva-slevel-function second_probe:99 -eva-slevel-function stad_tune_sweep_axis:999 -eva-slevel-function stad_tune_poll:99 -eva-slevel-function try_there:99 -eva-slevel-function stad_tune_leap:999 -eva-slevel-merge-after-loop stad_tune_leap
  * KNOWN: division by zero. assert b ≢ 0
- * KNOWN: \initialized(&better)
  * GUARD: tune/tune_walk.c if (b && b->from_q16 != a->from_q16) {
- * GUARD: tune/tune_walk.c if (!try_there(t, w, &v, &better))
- * A range has no hole: that two probes do not lie at one place is asked just before their distance divides. Whether an end was better
- * is asked where its cost was had: both ways out of a look are taken together there. */
-#include "proof/prove_tune.h"
-
-int stad_tune_look(stad_tune *tune, const stad_point *x, int32_t *cost)
-{
-    (void)tune, (void)x;
-    if (any(0, 1))
-        return 0;
-    *cost = any(0, INT32_MAX);
-    return 1;
-}
-
-int stad_tune_same(const stad_point *a, const stad_point *b)
-{
-    return a->v[0] == b->v[0] && any(0, 1);
-}
+ * A range has no hole: that two probes do not lie at one place is asked just before their distance divides. */
+#include "proof/prove_look.h"
 
 static void prove_axis(int stereo, int i, int side)
 {
