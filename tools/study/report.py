@@ -149,7 +149,7 @@ def table_html(markdown):
 
 
 def figures(results, args):
-    """name -> bytes: an SVG for each cost and family over its report scenes, a PNG for each of three report scenes."""
+    """name -> bytes: an SVG for each cost and family over its report scenes, a PNG for each of three report scenes a family."""
     out = {}
     for kind in args.cost:
         for family in args.family:
