@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures the fiducial marks, the truth and the rig's correction; prints every figure of docs/CALIBRATION.md.
+"""Measures the fiducial marks, the truth and the rig's correction; prints every figure of docs/CALIBRATION.md
+and docs/studies/CORNERS.md.
 
     tools/study/marks/run [SECTION ...] [--data DIR] [--frames N]
 
