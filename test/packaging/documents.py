@@ -3,7 +3,7 @@
 
 C is compiled with warnings as errors; shell lines are run, one state for all pages, README.md first; Python is run by PYTHON, which
 has the package. What is not run stands in NOT_RUN with its reason, and the files that it names must exist. Of commands that only
-stand in a sentence, the options are checked; of links, that they lead somewhere."""
+stand in a sentence, the options are checked; of links, that they lead somewhere; of prose, that no line is longer than WIDTH."""
 import os
 import re
 import subprocess
@@ -45,6 +45,7 @@ from drawn import frames, height, truth, width
 left, right = frames[1]
 disparity, scorer = stadimeter.StereoSGBM_create(0, 64, 5).compute(left, right), stadimeter.Scorer(numDisparities=64)
 """
+WIDTH = 128  # columns of prose; tables, code, pictures and where a link leads may take more
 failures = []
 
 
@@ -55,7 +56,8 @@ def fail(where, why):
 
 def pages():
     first = ["README.md", "docs/MIGRATION.md", "docs/TUNING-GUIDE.md"]
-    rest = sorted(p.relative_to(TREE).as_posix() for pattern in ("*.md", "docs/*.md", "test/*.md", "tools/*/*.md", "examples/*/*.md")
+    rest = sorted(p.relative_to(TREE).as_posix()
+                  for pattern in ("*.md", "docs/*.md", "docs/*/*.md", "test/*.md", "tools/*/*.md", "examples/*/*.md")
                   for p in TREE.glob(pattern))
     return first + [p for p in rest if p not in first]
 
@@ -163,6 +165,15 @@ def check_sentences(page, text):
             fail(page, f"a link to {target}, which is not there")
 
 
+def check_width(page, text):
+    text = re.sub(r"```.*?```", lambda block: "\n" * block.group().count("\n"), text, flags=re.DOTALL)
+    for number, line in enumerate(text.split("\n"), 1):
+        if not line.lstrip().startswith(("|", "![")) and not line.startswith("    "):
+            columns = len(re.sub(r"\]\([^)]*\)", "]", line))
+            if columns > WIDTH:
+                fail(f"{page}:{number}", f"{columns} columns of prose, {WIDTH} at most")
+
+
 def help_of(command):
     return subprocess.run([TREE / "build/stad", command, "--help"], capture_output=True, text=True).stdout
 
@@ -174,6 +185,7 @@ for page in pages():
         kind = check_block(f"{page}:{line}", language, lines)
         kinds[kind] = kinds.get(kind, 0) + 1
     check_sentences(page, text)
+    check_width(page, text)
     if page == "README.md":
         for name in ("one_pair", "disp.npy", "disp.png", "tuned.json", "tuned.html", "better.npy", "board.html"):
             if not (TREE / name).exists() or (TREE / name).stat().st_size == 0:
