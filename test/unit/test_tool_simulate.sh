@@ -74,6 +74,15 @@ tr -d ' \t\n' <open.json | grep -q '"run_under_way":{"phase":"other","fault":"no
     fail "the run under way: $(cat open.json)"
 grep -q '"run_under_way":.*null' loop.json || fail "no run is under way after its end"
 
+### what ends after the last frame has the number of the last frame played ###
+run simulate rec "${range[@]}" --focal 192 --calibrate-at 1 --budget 12 --probation-frames 0 --frames 6 --json six.json
+[ "$(sed -n 's/^frame \([0-9]*\): run ended.*/\1/p' out.txt)" = 5 ] && [ "$(number frame six.json)" = 5 ] || fail "a frame never played: $(cat out.txt)"
+
+### every run is told, however many: a scheduled look every 300 frames, at black ones ###
+truncate -s $((20000 * 2 * 48 * 32)) black.raw
+run simulate black.raw --size 48x32 --num-disparities 16 --focal 40 --json black.json
+[ "$(grep -c 'run ended' out.txt)" = 66 ] && [ "$(grep -c '"outcome"' black.json)" = 66 ] || fail "$(grep -c 'run ended' out.txt) looks of 66 are told"
+
 ### the same on the host, from one pair ###
 run tune rec/002_left.png rec/002_right.png --fiducials --focal 192 --num-disparities 64 --max-evals 30 --json marks.json
 start=$(number bad marks.json) best=$(tr -d ' \t\n' <marks.json | sed 's/.*"best":{//' | grep -o '"bad":[0-9.e-]*' | cut -d: -f2)

@@ -36,8 +36,6 @@ typedef struct sim_run {
     stad_setup setup; /* in use since */
 } sim_run;
 
-#define SIM_RUNS 64
-
 typedef struct simulation {
     /* asked for */
     match_options options;
@@ -52,6 +50,7 @@ typedef struct simulation {
     unsigned long long given; /* options, as TOOL_BIT */
     /* the board */
     recording frames;
+    int end; /* the frame after the last that is to be played */
     stad_geometry geometry;
     ahead ahead;
     stad_calib calib;
@@ -63,8 +62,8 @@ typedef struct simulation {
     sim_flash flash;
     /* what came of it */
     sim_row *rows;
-    int row_count, skipped, alarms, run_count, last_outcome;
-    sim_run runs[SIM_RUNS];
+    sim_run *runs;
+    int row_count, skipped, alarms, run_count, run_room, last_outcome;
     stad_setup stored;
     int stored_slot; /* enum stad_slot, or negative: nothing was stored */
     double seconds;

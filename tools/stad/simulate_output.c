@@ -106,7 +106,7 @@ static void print_events(const simulation *s)
         }
         if (r->state == STAD_MONITOR_DEGRADED)
             printf("frame %d: the monitor asks for a recalibration, firm share %.2f %%\n", r->frame, 100 * r->share);
-        while (run < s->run_count && (s->runs[run].frame <= r->frame || i + 1 == s->row_count))
+        while (run < s->run_count && s->runs[run].frame <= r->frame)
             print_run(&s->runs[run++]);
     }
 }

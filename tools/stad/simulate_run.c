@@ -55,7 +55,7 @@ static int take_work(simulation *s, const stad_geometry *g, tool_fail *f)
     s->work_bytes = ((marks > match ? marks : match) + STAD_ALIGN - 1) / STAD_ALIGN * STAD_ALIGN;
     if (posix_memalign(&s->work, STAD_ALIGN, s->work_bytes))
         s->work = NULL;
-    s->rows = calloc((size_t)s->frames.count, sizeof *s->rows);
+    s->rows = calloc((size_t)s->end, sizeof *s->rows);
     return s->work && s->rows ? TOOL_OK : tool_fail_set(f, TOOL_FILE, "not enough memory for the simulated board");
 }
 
@@ -67,8 +67,7 @@ static int set_up(simulation *s, const picture *left, tool_fail *f)
     if (status)
         return status;
     stad_geometry g = geometry_of(s, &p, left);
-    const int end = s->limit && s->limit < s->frames.count ? (int)s->limit : s->frames.count;
-    const ahead_job job = {&s->frames, &s->bad, s->options.color, end};
+    const ahead_job job = {&s->frames, &s->bad, s->options.color, s->end};
     s->geometry = g;
     status = ahead_open(&s->ahead, &job, (int)s->jobs, &g, f);
     if (status == TOOL_OK)
@@ -120,18 +119,34 @@ static void evaluate(simulation *s, const stad_request *r)
     stad_calib_cost(&s->calib, stad_calib_evaluate(&s->calib, r, &s->evaluator, &l, &rt, s->work, s->work_bytes));
 }
 
+/* Room for one more run, twice as much whenever there is none. */
+static int make_room(simulation *s, tool_fail *f)
+{
+    if (s->run_count < s->run_room)
+        return TOOL_OK;
+    const int room = s->run_room ? 2 * s->run_room : 16;
+    sim_run *runs = realloc(s->runs, (size_t)room * sizeof *runs);
+    if (!runs)
+        return tool_fail_set(f, TOOL_FILE, "not enough memory for %d runs", room);
+    s->runs = runs;
+    s->run_room = room;
+    return TOOL_OK;
+}
+
 /* Notes an outcome when it appears; it is `none` again while the next run is under way. */
-static void note_run(simulation *s, int frame)
+static int note_run(simulation *s, int frame, tool_fail *f)
 {
     const stad_calib_report *ended = stad_calib_report_of(&s->calib);
     int news = ended->outcome != s->last_outcome && ended->outcome != STAD_CALIB_NONE;
     s->last_outcome = ended->outcome;
-    if (!news || s->run_count == SIM_RUNS)
-        return;
+    int status = news ? make_room(s, f) : TOOL_OK;
+    if (!news || status)
+        return status;
     sim_run *run = &s->runs[s->run_count++];
     run->frame = frame;
     run->report = *ended;
     run->setup = *stad_calib_setup(&s->calib);
+    return TOOL_OK;
 }
 
 /* Does what is asked for, up to so many evaluations; the pictures are this frame's, or NULL when there is none. */
@@ -151,7 +166,8 @@ static int serve(simulation *s, int frame, const picture *left, const picture *r
         else
             stad_calib_saved(&s->calib, stad_store_save(&s->flash.flash, stad_calib_setup(&s->calib)));
         given |= r.want == STAD_WANT_FRAME;
-        note_run(s, frame);
+        if (status == TOOL_OK)
+            status = note_run(s, frame, f);
     }
     return status;
 }
@@ -173,7 +189,8 @@ static int play(simulation *s, int i, tool_fail *f)
         stad_calib_start(&s->calib);
     if (status == TOOL_OK)
         count_live(s, frame, row);
-    note_run(s, i);
+    if (status == TOOL_OK)
+        status = note_run(s, i, f);
     if (status == TOOL_OK)
         status = serve(s, i, &frame->left, &frame->right, s->evaluations_per_frame, f);
     row->frame = i;
@@ -182,27 +199,27 @@ static int play(simulation *s, int i, tool_fail *f)
 }
 
 /* A frame that cannot be had: what a board sees as a late one. */
-static void miss(simulation *s, int i)
+static int miss(simulation *s, int i, tool_fail *f)
 {
     stad_request r;
     sim_row *row = &s->rows[s->row_count];
     memset(row, 0, sizeof *row);
     if (stad_calib_want(&s->calib, &r) == STAD_WANT_FRAME)
         stad_calib_frame(&s->calib, NULL, NULL, s->work, s->work_bytes);
-    note_run(s, i);
     row->frame = i;
     row->skipped = 1;
     row->live = stad_calib_live(&s->calib, NULL, NULL);
     note_stand(s, row);
     row->params = stad_calib_setup(&s->calib)->params;
     s->skipped++;
+    return note_run(s, i, f);
 }
 
 static void show_progress(const simulation *s, int done, double start)
 {
     double seconds = tool_seconds() - start, rate = seconds > 0 ? done / seconds : 0;
-    progress_line("%d / %d frames, %.1f a second, %.0f s left, %s", done, s->frames.count, rate,
-                  rate > 0 ? (s->frames.count - done) / rate : 0.0, calib_phase_name(stad_calib_report_of(&s->calib)->phase));
+    progress_line("%d / %d frames, %.1f a second, %.0f s left, %s", done, s->end, rate, rate > 0 ? (s->end - done) / rate : 0.0,
+                  calib_phase_name(stad_calib_report_of(&s->calib)->phase));
 }
 
 /* The first frame that can be read decides the size. */
@@ -238,11 +255,10 @@ static int check_apart(const simulation *s, tool_fail *f)
 /* Frame numbers that the recording never reaches. */
 static int check_numbers(const simulation *s, tool_fail *f)
 {
-    long count = s->limit && s->limit < s->frames.count ? s->limit : s->frames.count;
-    if (s->calibrate_at >= count)
-        return tool_fail_set(f, TOOL_USAGE, "--calibrate-at %ld: the frames are 0..%ld", s->calibrate_at, count - 1);
-    if (s->bad.from >= count)
-        return tool_fail_set(f, TOOL_USAGE, "--from %d: the frames are 0..%ld", s->bad.from, count - 1);
+    if (s->calibrate_at >= s->end)
+        return tool_fail_set(f, TOOL_USAGE, "--calibrate-at %ld: the frames are 0..%d", s->calibrate_at, s->end - 1);
+    if (s->bad.from >= s->end)
+        return tool_fail_set(f, TOOL_USAGE, "--from %d: the frames are 0..%d", s->bad.from, s->end - 1);
     return TOOL_OK;
 }
 
@@ -250,20 +266,19 @@ static int check_interrupt(const simulation *s, tool_fail *f)
 {
     if (!interrupt_seen())
         return TOOL_OK;
-    return tool_fail_set(f, 128 + interrupt_seen(), "interrupted after %d of %d frames", s->row_count, s->frames.count);
+    return tool_fail_set(f, 128 + interrupt_seen(), "interrupted after %d of %d frames", s->row_count, s->end);
 }
 
 /* The frames one by one, to the last, to the first that fails, or to a signal. */
 static int play_all(simulation *s, double start, tool_fail *f)
 {
     int status = TOOL_OK;
-    for (int i = 0; i < s->frames.count && status == TOOL_OK && (!s->limit || i < s->limit); i++) {
+    for (int i = 0; i < s->end && status == TOOL_OK; i++) {
         status = play(s, i, f);
         if (status && s->keep_going) {
             progress_end();
             tool_note("stad simulate", "skipped: ", f);
-            miss(s, i);
-            status = TOOL_OK;
+            status = miss(s, i, f);
         }
         s->row_count += status == TOOL_OK;
         if (status == TOOL_OK)
@@ -278,6 +293,7 @@ int simulate_run(simulation *s, tool_fail *f)
     double start = tool_seconds();
     interrupt_watch();
     int status = recording_open(&s->frames, s->where, s->side_by_side, s->raw_width, s->raw_height, f);
+    s->end = s->limit && s->limit < s->frames.count ? (int)s->limit : s->frames.count;
     if (status == TOOL_OK)
         status = check_numbers(s, f);
     if (status == TOOL_OK)
@@ -288,7 +304,7 @@ int simulate_run(simulation *s, tool_fail *f)
     if (status == TOOL_OK)
         status = play_all(s, start, f);
     if (status == TOOL_OK)
-        status = serve(s, s->frames.count - 1, NULL, NULL, STAD_TUNE_LOG, f); /* a run under way needs no frame to be finished */
+        status = serve(s, s->end - 1, NULL, NULL, STAD_TUNE_LOG, f); /* a run under way needs no frame to be finished */
     if (status == TOOL_OK)
         status = check_interrupt(s, f);
     if (status)
@@ -310,6 +326,7 @@ void simulate_free(simulation *s)
     ahead_close(&s->ahead);
     free(s->work);
     free(s->rows);
+    free(s->runs);
     free(s->command);
     recording_close(&s->frames);
 }
