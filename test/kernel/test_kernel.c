@@ -205,7 +205,7 @@ static const char *tier_in_use(void)
 static const char *tier_wanted(void)
 {
     const char *wanted = getenv("STAD_ISA");
-    return wanted ? wanted : tier_in_use();
+    return wanted && *wanted ? wanted : tier_in_use();
 }
 
 static int say_tier(void)

@@ -347,6 +347,7 @@ expect 3 'nothing.json: there is no parameter in it' "${m[@]}" --params nothing.
 ### the sheet ###
 expect 2 '--isa avx9: must be' bench --isa avx9
 STAD_ISA=avx9 expect 2 'STAD_ISA avx9: must be' bench
+STAD_ISA='' accept bench --width 64 --height 32 --frames 1 # empty is unset
 expect 2 'sheet.txt: the suffix must be' sheet -o sheet.txt
 expect 2 '--paper a44' sheet -o sheet.pdf --paper a44
 expect 3 'nowhere/sheet.pdf: cannot be written' sheet -o nowhere/sheet.pdf

@@ -181,7 +181,7 @@ static int work(bench_job *j, tool_fail *f)
 {
     picture pair[2];
     const char *isa = getenv("STAD_ISA");
-    int status = isa ? check_isa("STAD_ISA", isa, f) : TOOL_OK;
+    int status = isa && *isa ? check_isa("STAD_ISA", isa, f) : TOOL_OK;
     if (status == TOOL_OK)
         status = match_options_file(&j->options, f);
     if (status == TOOL_OK && j->options.color)
