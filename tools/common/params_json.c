@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * common/params_json.c - parameters as JSON. */
+ * common/params_json.c - JSON files, and parameters as JSON. */
 #include "params_text.h"
 
 #include <cjson/cJSON.h>
@@ -31,6 +31,20 @@ cJSON *json_read(const char *path, tool_fail *f)
         return document;
     cJSON_Delete(document);
     return NULL;
+}
+
+int json_write(const char *path, cJSON *document, tool_fail *f)
+{
+    tool_out out;
+    char *text = cJSON_Print(document);
+    int status = text ? tool_out_open(&out, path, f) : tool_fail_set(f, TOOL_FILE, "%s: not enough memory", path);
+    if (status == TOOL_OK) {
+        fprintf(out.stream, "%s\n", text);
+        status = tool_out_close(&out, 1, f);
+    }
+    cJSON_free(text);
+    cJSON_Delete(document);
+    return status;
 }
 
 static int twice(const cJSON *item, const char *path, tool_fail *f)

@@ -68,6 +68,9 @@ int params_check_text(const stad_params *p, const params_some *from, int mode, i
 /* A JSON document and nothing behind it; NULL with a message otherwise. The caller deletes it. */
 struct cJSON *json_read(const char *path, tool_fail *f);
 
+/* Writes a document to a file, whole or not at all, and deletes the document. */
+int json_write(const char *path, struct cJSON *document, tool_fail *f);
+
 /* JSON: an object of field names; also the documents that `stad tune` ("best") and `stad simulate` ("in_use") write, and an object with
  * "params". An unknown name is refused, and a name that is there twice. */
 int params_read_json(params_some *s, const char *path, tool_fail *f);

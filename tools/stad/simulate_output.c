@@ -283,18 +283,5 @@ static cJSON *simulation_json(const simulation *s)
 
 int simulate_write_json(const simulation *s, tool_fail *f)
 {
-    tool_out out;
-    int status = tool_out_open(&out, s->json, f);
-    if (status)
-        return status;
-    cJSON *o = simulation_json(s);
-    char *text = cJSON_Print(o);
-    if (text)
-        fprintf(out.stream, "%s\n", text);
-    else
-        tool_fail_set(f, TOOL_FILE, "%s: not enough memory", s->json);
-    status = tool_out_close(&out, text != NULL, f);
-    cJSON_free(text);
-    cJSON_Delete(o);
-    return status;
+    return json_write(s->json, simulation_json(s), f);
 }

@@ -77,20 +77,7 @@ static cJSON *job_json(const tune_job *j)
 
 int tune_write_json(const tune_job *j, tool_fail *f)
 {
-    tool_out out;
-    int status = tool_out_open(&out, j->json, f);
-    if (status)
-        return status;
-    cJSON *o = job_json(j);
-    char *text = cJSON_Print(o);
-    if (text)
-        fprintf(out.stream, "%s\n", text);
-    else
-        tool_fail_set(f, TOOL_FILE, "%s: not enough memory", j->json);
-    status = tool_out_close(&out, text != NULL, f);
-    cJSON_free(text);
-    cJSON_Delete(o);
-    return status;
+    return json_write(j->json, job_json(j), f);
 }
 
 int tune_write_header(const tune_job *j, tool_fail *f)
