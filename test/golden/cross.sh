@@ -11,7 +11,7 @@ command -v "$qemu" >/dev/null || { echo "SKIPPED: $qemu is not installed"; exit 
 root=$(cd "$(dirname "$0")/../.." && pwd)
 support=$root/test/support
 out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT INT TERM
+trap 'rm -rf "$out"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 "$cc" -std=c99 -O2 -static "$@" -I"$root/lib/include" -I"$root/lib/src" -I"$root/port/isa/c" -I"$root/test" -I"$UNITY_DIR" \
     "$root"/lib/src/base/*.c "$root"/lib/src/kernel/*.c "$root"/lib/src/match/*.c \
     "$support/scene.c" "$support/case.c" "$support/subject.c" "$support/reference.c" "$support/fixture.c" \

@@ -5,7 +5,7 @@ set -euo pipefail
 source_dir=${STAD_SOURCE:-$(cd "$(dirname "$0")/../.." && pwd)}
 cc=${CC:-cc}
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 cp "$source_dir/examples/01_one_pair.c" "$work/main.c"
 version=$(sed -n 's/.*define STAD_VERSION  *"\(.*\)"/\1/p' "$source_dir/lib/include/stad/config.h")
 

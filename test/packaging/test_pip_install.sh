@@ -3,7 +3,7 @@
 # pip install ./tools/python in a fresh virtual environment, from a clean copy of the sources: imports, matches, is typed.
 set -eu
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 python3 -m venv "$work/venv" 2>/dev/null || { echo "SKIPPED: python3 has no venv (Debian: python3-venv)"; exit 77; }
 mkdir "$work/source"
 (cd "$STAD_SOURCE" && git ls-files -z | xargs -0 tar -c --ignore-failed-read 2>/dev/null) | tar -x -C "$work/source"

@@ -4,7 +4,7 @@
 set -u
 command -v doxygen >/dev/null || { echo "SKIPPED: doxygen is missing (Debian: doxygen)"; exit 77; }
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 mkdir -p "$work/lib" "$work/tools"
 cp -r "$STAD_SOURCE/lib/include" "$work/lib"
 cp -r "$STAD_SOURCE/tools/docs" "$work/tools"

@@ -8,6 +8,6 @@ if [ ! -x "$STAD_BUILD/stad" ] || [ ! -x "$example" ]; then
     exit 77
 fi
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 "$STAD_BUILD/stad" scene -o "$work/recording" --target --pgm --frames 10 --width 320 --height 240 --noise 30 --seed 3
 "$example" 10 192 "$work/recording"

@@ -33,7 +33,7 @@ if [ -n "$writable" ]; then
 fi
 
 out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT INT TERM
+trap 'rm -rf "$out"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 case $(uname -m) in
 x86_64 | aarch64)
     for file in "$STAD_SOURCE"/lib/src/*/*.c; do

@@ -5,7 +5,7 @@ set -u
 stad=${STAD_BUILD:?}/stad
 [ -x "$stad" ] || { echo "SKIPPED: $stad is not built"; exit 77; }
 work=$(mktemp -d)
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 cd "$work" || exit 1
 failures=0 checks=0
 

@@ -5,7 +5,7 @@ set -eu
 stad=$STAD_BUILD/stad
 [ -x "$stad" ] || { echo "SKIPPED: no stad in $STAD_BUILD"; exit 77; }
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 cd "$work"
 die() { echo "FAILED: $*"; exit 1; }
 

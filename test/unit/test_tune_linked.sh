@@ -4,7 +4,7 @@
 set -eu
 source=${STAD_SOURCE:-$(cd "$(dirname "$0")/../.." && pwd)}
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 cd "$work"
 for file in "$source"/lib/src/tune/*.c "$source/lib/src/base/log.c" "$source/lib/src/base/divide.c"; do
     "${CC:-cc}" -std=c99 -O1 -I"$source/lib/include" -I"$source/lib/src" -c "$file"

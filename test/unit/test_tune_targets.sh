@@ -7,7 +7,7 @@ source=${STAD_SOURCE:-$(cd "$(dirname "$0")/../.." && pwd)}
 unity=${UNITY_DIR:-}
 [ -f "$unity/unity.c" ] || { echo "SKIPPED: UNITY_DIR does not hold unity.c"; exit 77; }
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work"' EXIT; trap 'exit 130' INT; trap 'exit 143' TERM
 run() { # name, emulator, compiler, flags
     command -v "$3" >/dev/null 2>&1 || { echo "$1: UNAVAILABLE ($3)"; return 0; }
     [ -z "$2" ] || command -v "$2" >/dev/null 2>&1 || { echo "$1: UNAVAILABLE ($2)"; return 0; }
