@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * proof/prove_methods.c - every method of the tuner told any cost in the midst of any search: its descents, random points and crosses,
  * and the textbook ones; the log behind them.
- * SOURCES: tune/tune.c tune/tune_ncg.c tune/tune_descent.c tune/tune_search.c tune/tune_hybrid.c tune/tune_cross.c tune/tune_random.c tune/tune_paper.c tune/tune_sd.c tune/tune_wolfe.c tune/tune_check.c tune/tune_lattice.c tune/tune_config.c base/log.c base/divide.c
+ * SOURCES: tune/tune.c tune/tune_ncg.c tune/tune_descent.c tune/tune_once.c tune/tune_ladder.c tune/tune_search.c tune/tune_hybrid.c tune/tune_cross.c tune/tune_random.c tune/tune_paper.c tune/tune_sd.c tune/tune_wolfe.c tune/tune_check.c tune/tune_lattice.c tune/tune_config.c base/log.c base/divide.c
  * PRECISION: 1
  * OPTIONS: -eva-min-loop-unroll 42 -eva-slevel 0 -eva-domains equality
  * KNOWN: division by zero. assert b->v[i]

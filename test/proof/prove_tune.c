@@ -24,8 +24,7 @@ int main(void)
     for (int i = 0; i < STAD_TUNE_DIMS; i++)
         stad_tune_room(&t, &v, i, any(0, 1) ? 1 : -1);
     for (int i = 0; i < 4; i++) {
-        stad_tune_core_record(&t, any(INT32_MIN, INT32_MAX));
-        stad_tune_core_rewind(&t);
+        stad_tune_core_turn(&t, any(INT32_MIN, INT32_MAX));
         stad_tune_look(&t, &x, &cost);
     }
     stad_tune_best(&t, &x, &cost);

@@ -235,6 +235,10 @@ static void test_params_starting_sets_are_opencv_s(void)
     stad_params_sample(&p, 64, 37, 3);
     TEST_ASSERT_EQUAL_INT(32766, p.p1);
     TEST_ASSERT_EQUAL_INT(32767, p.p2);
+    stad_params_sample(&p, 65536 + 64, 3, 1);
+    expect_refused(&p, STAD_MODE_SGBM, 32767, "num_disparities");
+    stad_params_sample(&p, 64, 65536 + 3, 1);
+    expect_refused(&p, STAD_MODE_SGBM, 640, "block_size");
     stad_params_default(&p, 64);
     expected = (stad_params){0, 64, 3, 2, 5, 1, 15, 0, 0, 0};
     TEST_ASSERT_EQUAL_MEMORY(&expected, &p, sizeof p);

@@ -35,7 +35,8 @@ typedef struct stad_params {
 } stad_params;
 
 /* The parameters of OpenCV's stereo_match sample: p1 = 8 c b^2, p2 = 32 c b^2, cap 63, uniqueness 10, disp12 1, speckle off.
- * min_disparity is 0. A product above 32767 is cut to the field's range, which stad_params_check() still accepts. */
+ * min_disparity is 0. A product above 32767 is cut to the field's range, which stad_params_check() still accepts; so is a number of
+ * disparities or a block, which it refuses. */
 void stad_params_sample(stad_params *p, int num_disparities, int block_size, int channels);
 
 /* What cv::StereoSGBM::create() starts from, normalised: p1 2, p2 5, block 3, uniqueness 0, cap 15, disp12 1, speckle off. */

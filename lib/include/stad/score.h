@@ -80,7 +80,7 @@ typedef struct stad_score {
     int32_t histogram[32];    /* matched pixels in 32 equal bins of the disparity range, for the entropy */
 } stad_score;
 
-/* A customary config: threshold 1 px, photo_limit 16, no weights. */
+/* A customary config: threshold 1 px, photo_limit 16, no weights. The arguments are the fields of these names and within their ranges. */
 void stad_score_config_init(stad_score_config *c, int cost, int min_disparity, int num_disparities);
 
 /* Starts a score. STAD_OK, or STAD_E_PARAM when a field is out of the range given at it; then nothing may be fed. */

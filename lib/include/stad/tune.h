@@ -81,14 +81,14 @@ typedef struct stad_tune_axis {
  *
  * ordered: p2 is kept above p1, as stereo wants, and by the descents, where both may move, at about sqrt(2) * p1 or more.
  * cheap_mask: bit i set: a point that moves coordinate i alone costs the application next to nothing (stad/winners.h). NCG, DESCENT
- * and HYBRID then settle these coordinates at once wherever they get to. */
+ * and HYBRID then settle these coordinates at once wherever they get to. Its bits beyond the coordinates mean nothing. */
 typedef struct stad_tune_config {
     uint8_t method;       /* enum stad_tune_method */
     uint8_t free_mask;    /* bit i set: coordinate i is free; the others keep the value of the start */
-    uint8_t ordered;      /* 1: p2 above p1; 0: independent */
+    uint8_t ordered;      /* not 0: p2 above p1; 0: independent */
     uint8_t ladder_count; /* 0..STAD_TUNE_LADDER */
     int16_t budget;       /* distinct evaluations, 1..STAD_TUNE_LOG */
-    uint8_t patience;     /* 0: on to the budget, or until nothing new comes; 1: stop when the first descent has converged */
+    uint8_t patience;     /* 0: on to the budget, or until nothing new comes; else: stop when the first descent has converged */
     uint8_t cheap_mask;   /* 0: none, the default */
     uint32_t seed;        /* of the draws of HYBRID, and of the crosses that end NCG and HYBRID */
     stad_tune_axis axis[STAD_TUNE_DIMS]; /* by enum stad_tune_dim */
@@ -150,7 +150,7 @@ int stad_tune_best(const stad_tune *t, stad_point *x, int32_t *cost_q20);
 int stad_tune_trace(const stad_tune *t, int i, stad_point *x, int32_t *cost_q20);
 
 /* Whether a state that comes back from elsewhere can be gone on with: STAD_OK; STAD_E_STATE: never started; STAD_E_CORRUPT: no call of
- * these leaves it so, and nothing else may be called on it. No checksum: any cost passes, and any point within its axes. */
+ * these that succeeds leaves it so, and nothing else may be called on it. No checksum: any cost passes, and any point within its axes. */
 int stad_tune_check(const stad_tune *t);
 
 /* Counters. */

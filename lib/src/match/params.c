@@ -10,8 +10,8 @@
 static void fill(stad_params *p, int num_disparities, int block_size, int32_t p1, int32_t p2)
 {
     p->min_disparity = 0;
-    p->num_disparities = (int16_t)num_disparities;
-    p->block_size = (int16_t)block_size;
+    p->num_disparities = sat_i16(num_disparities);
+    p->block_size = sat_i16(block_size);
     p->p1 = (int16_t)min_i32(p1, INT16_MAX - 1);
     p->p2 = (int16_t)min_i32(p2, INT16_MAX);
     p->disp12_max_diff = 1;

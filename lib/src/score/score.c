@@ -10,9 +10,10 @@
 
 void stad_score_config_init(stad_score_config *c, int cost, int min_disparity, int num_disparities)
 {
+    STAD_ASSERT(cost >= 0 && cost <= STAD_SCORE_WEIGHTED);
     memset(c, 0, sizeof *c);
-    c->min_disparity = (int16_t)min_disparity;
-    c->num_disparities = (int16_t)num_disparities;
+    c->min_disparity = narrow_i16(min_disparity);
+    c->num_disparities = narrow_i16(num_disparities);
     c->threshold_q16 = 65536;
     c->cost = (uint8_t)cost;
     c->photo_limit = 16;

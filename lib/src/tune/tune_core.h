@@ -10,6 +10,9 @@
 
 #include "stad/tune.h"
 
+/* stad_tune.phase */
+enum tune_phase { TUNE_PHASE_NONE = 0, TUNE_PHASE_ASKING = 1, TUNE_PHASE_FINISHED = 2 };
+
 #define TUNE_ONE      65536 /* one step of a continuous variable, Q16 */
 #define TUNE_INFINITY INT32_MAX
 
@@ -20,14 +23,15 @@ typedef struct tune_vars {
 
 int stad_tune_core_init(stad_tune *t, const stad_tune_config *c, const stad_point *start, int method);
 
-/* Records a cost for the pending point. STAD_OK: the caller reruns its method, unless the search is finished. */
-int stad_tune_core_record(stad_tune *t, int32_t cost_q20);
-
-/* Before a rerun: the search is finished unless the method asks for a point. */
-void stad_tune_core_rewind(stad_tune *t);
+/* Records a cost for the pending point. STAD_OK: the caller runs its method again from the start; the search is finished unless
+ * that asks for a point. */
+int stad_tune_core_turn(stad_tune *t, int32_t cost_q20);
 
 /* The cost of x. 1: *cost is set; 0: not known, the method must return at once. */
 int stad_tune_look(stad_tune *t, const stad_point *x, int32_t *cost);
+
+/* Scores the start and its ladder. 0: a cost is wanted. */
+int stad_tune_score_ladder(stad_tune *t);
 
 int stad_tune_is_free(const stad_tune_config *c, int i);
 int stad_tune_is_continuous(const stad_tune_config *c, int i);

@@ -138,36 +138,3 @@ int stad_tune_descend(stad_tune *t, tune_walk *w, int entry, int32_t reach, int3
     }
     return 1;
 }
-
-int stad_tune_score_ladder(stad_tune *t)
-{
-    int32_t cost;
-    if (!stad_tune_look(t, &t->start, &cost))
-        return 0;
-    for (int i = 0; i < t->config.ladder_count; i++) {
-        stad_point x;
-        tune_vars v;
-        stad_tune_to_vars(&t->config, &t->config.ladder[i], &v);
-        stad_tune_to_point(t, &v, &x);
-        if (!stad_tune_look(t, &x, &cost))
-            return 0;
-    }
-    return 1;
-}
-
-int stad_tune_descent_init(stad_tune *t, const stad_tune_config *c, const stad_point *start)
-{
-    return stad_tune_core_init(t, c, start, STAD_TUNE_DESCENT);
-}
-
-int stad_tune_descent_tell(stad_tune *t, int32_t cost_q20)
-{
-    const int status = stad_tune_core_record(t, cost_q20);
-    if (status != STAD_OK)
-        return status;
-    tune_walk w;
-    stad_tune_core_rewind(t);
-    if (stad_tune_score_ladder(t))
-        stad_tune_descend(t, &w, t->lead, TUNE_REACH_FIRST, TUNE_INFINITY);
-    return STAD_OK;
-}

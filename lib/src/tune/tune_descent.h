@@ -12,7 +12,4 @@
  * not come below `goal`. 1: converged, and w is where it ended; 0: a cost is wanted. */
 int stad_tune_descend(stad_tune *t, tune_walk *w, int entry, int32_t reach, int32_t goal);
 
-/* Scores the start and its ladder. 0: a cost is wanted. */
-int stad_tune_score_ladder(stad_tune *t);
-
 #endif

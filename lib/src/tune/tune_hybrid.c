@@ -44,10 +44,8 @@ int stad_tune_hybrid_init(stad_tune *t, const stad_tune_config *c, const stad_po
 
 int stad_tune_hybrid_tell(stad_tune *t, int32_t cost_q20)
 {
-    const int status = stad_tune_core_record(t, cost_q20);
-    if (status != STAD_OK)
-        return status;
-    stad_tune_core_rewind(t);
-    run(t);
-    return STAD_OK;
+    const int status = stad_tune_core_turn(t, cost_q20);
+    if (status == STAD_OK)
+        run(t);
+    return status;
 }

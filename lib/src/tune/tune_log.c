@@ -6,8 +6,6 @@
 
 #include "base/bytes.h"
 
-enum { PHASE_NONE = 0, PHASE_ASKING = 1, PHASE_FINISHED = 2 };
-
 int stad_tune_same(const stad_point *a, const stad_point *b)
 {
     return bytes_equal(a, b, sizeof *a);
@@ -18,7 +16,7 @@ int stad_tune_core_init(stad_tune *t, const stad_tune_config *c, const stad_poin
     memset(t, 0, sizeof *t); /* padding too: equal states are equal bytes */
     t->best = -1;
     t->lead = -1;
-    t->phase = PHASE_FINISHED;
+    t->phase = TUNE_PHASE_FINISHED;
     if (stad_tune_config_check(c, NULL) != STAD_OK || c->method != method)
         return STAD_E_PARAM;
     memcpy(&t->config, c, sizeof *c);
@@ -27,21 +25,32 @@ int stad_tune_core_init(stad_tune *t, const stad_tune_config *c, const stad_poin
     stad_tune_to_vars(c, start, &v);
     stad_tune_to_point(t, &v, &t->start);
     t->pending = t->start;
-    t->phase = PHASE_ASKING;
+    t->phase = TUNE_PHASE_ASKING;
     return STAD_OK;
 }
 
 int stad_tune_ask(const stad_tune *t, stad_point *x)
 {
-    if (t->phase != PHASE_ASKING)
+    if (t->phase != TUNE_PHASE_ASKING)
         return 0;
     *x = t->pending;
     return 1;
 }
 
-int stad_tune_core_record(stad_tune *t, int32_t cost_q20)
+static void rewind_log(stad_tune *t)
 {
-    if (t->phase != PHASE_ASKING)
+    t->phase = TUNE_PHASE_FINISHED;
+    t->cursor = 0;
+    t->lead = -1;
+    if (t->cost[t->best < 0 ? 0 : t->best] == 0)
+        return; /* the end: nothing is run again */
+    t->counts.calls = 0;
+    t->counts.iterations = 0;
+}
+
+int stad_tune_core_turn(stad_tune *t, int32_t cost_q20)
+{
+    if (t->phase != TUNE_PHASE_ASKING)
         return STAD_E_STATE;
     if (cost_q20 < 0)
         return STAD_E_PARAM;
@@ -51,18 +60,8 @@ int stad_tune_core_record(stad_tune *t, int32_t cost_q20)
         t->best = t->count;
     t->count++;
     t->counts.evaluations = t->count;
+    rewind_log(t);
     return STAD_OK;
-}
-
-void stad_tune_core_rewind(stad_tune *t)
-{
-    t->phase = PHASE_FINISHED;
-    t->cursor = 0;
-    t->lead = -1;
-    if (t->cost[t->best < 0 ? 0 : t->best] == 0)
-        return; /* the end: nothing is run again */
-    t->counts.calls = 0;
-    t->counts.iterations = 0;
 }
 
 /* A rerun meets the points in the order of the log, so the cursor answers most. */
@@ -93,7 +92,7 @@ int stad_tune_look(stad_tune *t, const stad_point *x, int32_t *cost)
     if (t->count < t->config.budget) {
         t->counts.calls++;
         t->pending = *x;
-        t->phase = PHASE_ASKING;
+        t->phase = TUNE_PHASE_ASKING;
     }
     return 0;
 }

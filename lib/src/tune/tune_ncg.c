@@ -11,11 +11,8 @@ int stad_tune_ncg_init(stad_tune *t, const stad_tune_config *c, const stad_point
 
 int stad_tune_ncg_tell(stad_tune *t, int32_t cost_q20)
 {
-    const int status = stad_tune_core_record(t, cost_q20);
-    if (status != STAD_OK)
-        return status;
-    stad_tune_core_rewind(t);
-    if (stad_tune_score_ladder(t))
+    const int status = stad_tune_core_turn(t, cost_q20);
+    if (status == STAD_OK && stad_tune_score_ladder(t))
         stad_tune_search(t);
-    return STAD_OK;
+    return status;
 }

@@ -9,10 +9,8 @@ int stad_tune_paper_init(stad_tune *t, const stad_tune_config *c, const stad_poi
 
 int stad_tune_paper_tell(stad_tune *t, int32_t cost_q20)
 {
-    const int status = stad_tune_core_record(t, cost_q20);
-    if (status != STAD_OK)
-        return status;
-    stad_tune_core_rewind(t);
-    stad_tune_wolfe_run(t, 1);
-    return STAD_OK;
+    const int status = stad_tune_core_turn(t, cost_q20);
+    if (status == STAD_OK)
+        stad_tune_wolfe_run(t, 1);
+    return status;
 }

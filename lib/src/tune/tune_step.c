@@ -4,6 +4,7 @@
  * Scaling by the curvature that the probes gave is what makes the step good; beta adds little (docs/TUNING.md). */
 #include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
+#include "base/arith.h"
 #include "base/divide.h"
 
 #include <string.h>
@@ -18,16 +19,11 @@ typedef struct direction {
     int64_t fall;                 /* slope . scaled steepest way, >= 0 */
 } direction;
 
-static int32_t magnitude(int32_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 /* The curvature, at least what would send the point two probing distances away, and never next to nothing. */
 static int32_t scale_of(const tune_walk *w, int i)
 {
     int64_t scale = TUNE_SCALING ? w->curve[i] : 0;
-    const int64_t held = stad_div_i64((int64_t)magnitude(w->slope[i]) * 65536, 2 * (int64_t)w->step);
+    const int64_t held = stad_div_i64((int64_t)abs_i32(w->slope[i]) * 65536, 2 * (int64_t)w->step);
     const int64_t least = w->cost / 1000;
     scale = scale > held ? scale : held;
     scale = scale > least ? scale : least;
@@ -63,8 +59,8 @@ static int32_t hold(const stad_tune *t, int32_t *move, int64_t most)
 {
     int32_t longest = 0;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
-        if (stad_tune_is_swept(t, i) && magnitude(move[i]) > longest)
-            longest = magnitude(move[i]);
+        if (stad_tune_is_swept(t, i) && abs_i32(move[i]) > longest)
+            longest = abs_i32(move[i]);
     }
     if (longest <= most)
         return longest;
