@@ -34,6 +34,24 @@ def trial(program, meta, scene, kind, seed, full):
     return row
 
 
+def manifest():
+    """What the data folder says of each scene."""
+    path = os.path.join(DATA, "MANIFEST.json")
+    try:
+        return {s["path"]: s for s in json.load(open(path)) if "path" in s}
+    except OSError as error:
+        sys.exit(f"{path}: {error.strerror}; STAD_DATA names the folder of scenes")
+
+
+def chosen(given, whole):
+    """The members of a list that were asked for."""
+    names = given.split(",")
+    for name in names:
+        if name not in whole:
+            sys.exit(f"{name}: not one of {', '.join(whole)}")
+    return names
+
+
 def mean(values):
     values = list(values)
     return sum(values) / len(values) if values else float("nan")
@@ -90,11 +108,12 @@ def main():
         if all("full" in r for r in rows):
             margins(rows)
         return
-    meta = {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json"))) if "path" in s}
+    scenes, kinds, meta = chosen(args.scenes, SCENES), chosen(args.kinds, KINDS), manifest()
     rows = []
-    for seed, scene in enumerate(args.scenes.split(",")):
-        for kind in args.kinds.split(","):
-            rows.append(trial(args.program, meta[scene], scene, kind, seed + 1, args.full))
+    for scene in scenes:
+        seed = SCENES.index(scene) + 1  # a part of the table has the rows of the whole
+        for kind in kinds:
+            rows.append(trial(args.program, meta[scene], scene, kind, seed, args.full))
             r = rows[-1]
             print(scene, kind, f"{r['in_use']:.2f}", *(f"{rule} {r[rule]['bad']:.2f} o{r[rule]['outcome']}" for rule in RULES),
                   f"full {r['full']['bad']:.2f}" if "full" in r else "", flush=True)
