@@ -85,14 +85,15 @@ int stad_geometry_check(const stad_geometry *g, const char **culprit);
  * workspace need not be cleared. */
 int stad_match_init(stad_match *m, const stad_geometry *g, void *work, size_t work_bytes);
 
-/* Options for the frames to come: a sum of enum stad_match_option. STAD_E_PARAM: unknown bits. */
+/* Options, a sum of enum stad_match_option, from now on: of a frame under way they act on the rows not yet pulled. Set them before
+ * stad_match_begin(); stad_match_init() clears them. STAD_E_PARAM: unknown bits. */
 int stad_match_options(stad_match *m, unsigned options);
 
 /* Starts a frame; whatever was left of the one before is dropped. STAD_E_PARAM: outside the domain; STAD_E_LIMIT: valid, but
  * above the geometry; stad_match_culprit() names the field. */
 int stad_match_begin(stad_match *m, const stad_params *p);
 
-/* The field that the last failed stad_match_begin() objected to, or NULL. */
+/* The field that the last stad_match_init() or stad_match_begin() objected to, or NULL. */
 const char *stad_match_culprit(const stad_match *m);
 
 /* Hands in the next row of both frames: width * channels bytes each, copied before the call returns. STAD_AGAIN: pull

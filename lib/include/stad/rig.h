@@ -59,7 +59,8 @@ void stad_rig_identity(stad_rig *r, int width, int height);
 /* Fits the model to all corners of `n` pairs, found in raw frames of `width` x `height`; pairs of several frames may be
  * strung together. Returns the verdict (>= 0), with the numbers in *report. STAD_RIG_FAIL with report->corners < 8 means
  * that nothing can be said; the rig is then the identity. Marks that span little of the image leave b or c badly known, which
- * is why `advised` asks for a span: use pairs of several poses. STAD_E_PARAM: width or height outside 16 .. 2048, or n < 0.
+ * is why `advised` asks for a span: use pairs of several poses. STAD_E_PARAM: width or height outside 16 .. 2048, or n
+ * outside 0 .. 1024.
  * When not to call it: on corners of one small mark only. */
 int stad_rig_fit(stad_rig *r, stad_rig_report *report, const stad_pair *pairs, int n, int width, int height);
 
