@@ -18,7 +18,7 @@
 #include "stad/stad.h"
 
 enum { WIDTH = 160, HEIGHT = 120, DISPARITIES = 32, BLOCK = 11, P2 = 8192, CAP = 63, FOCAL = 96, BUDGET = 12, FRAMES = 20 };
-enum { MATCH_BYTES = STAD_MATCH_BYTES(WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL) };
+enum { WORK_BYTES = STAD_CALIB_WORK_BYTES(WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL) };
 
 static const stad_geometry geometry = {WIDTH, HEIGHT, 1, DISPARITIES, BLOCK, P2, CAP, STAD_MODE_SGBM, STAD_MEMORY_SMALL};
 static const char header[] = "P5\n160 120\n255\n";
@@ -31,7 +31,7 @@ typedef struct frame {
 } frame;
 
 /* The board's memory; only the flash chip outlives a reset. */
-static STAD_ALIGNED uint8_t work[MATCH_BYTES + STAD_CALIB_ROWS_BYTES(WIDTH, 1)];
+static STAD_ALIGNED uint8_t work[WORK_BYTES];
 static frame fresh, held[2];
 static stad_match live;
 static stad_calib calib;

@@ -337,7 +337,7 @@ static void any_state(int phase, int still)
 {
     c.report.phase = (uint8_t)phase;
     c.report.outcome = (uint8_t)any(STAD_CALIB_NONE, STAD_CALIB_CANCELLED);
-    c.report.fault = (uint8_t)any(STAD_FAULT_NONE, STAD_FAULT_SAME);
+    c.report.fault = (uint8_t)any(STAD_FAULT_NONE, STAD_FAULT_MATCH);
     c.report.alarmed = (uint8_t)any(0, 1);
     c.report.verdict_before = (uint8_t)any(0, 3);
     c.report.preset = (int8_t)any(-1, STAD_PRESETS - 1);

@@ -64,6 +64,11 @@ static int32_t failing(const stad_request *r)
     return STAD_COST_FAILED;
 }
 
+static int32_t failing_on_other_pose(const stad_request *r)
+{
+    return r->hold == 0 ? POINTS(20) : STAD_COST_FAILED;
+}
+
 /* Presets gain 3 points on both poses, everything else nothing. */
 static int32_t presets_help(const stad_request *r)
 {
@@ -74,6 +79,12 @@ static int32_t presets_help(const stad_request *r)
 static int32_t presets_deceive(const stad_request *r)
 {
     return r->hold == 0 ? presets_help(r) : is_start(&r->params) ? POINTS(20) : POINTS(21);
+}
+
+/* ... on the other nothing but the set in use can be matched. */
+static int32_t presets_fail_on_other_pose(const stad_request *r)
+{
+    return r->hold == 0 ? presets_help(r) : is_start(&r->params) ? POINTS(20) : STAD_COST_FAILED;
 }
 
 static int32_t presets_help_a_little(const stad_request *r)
@@ -113,11 +124,36 @@ void test_calib_equal_costs_keep_what_is_in_use(void)
     TEST_ASSERT_FALSE(changed());
 }
 
-void test_calib_failed_matches_end_and_keep(void)
+/* A run that ended because the set in use could not be matched: it is kept, and no cost is claimed that was not measured. */
+static void expect_match_fault(void)
 {
-    run_trial(failing);
-    TEST_ASSERT_EQUAL(STAD_CALIB_KEPT, stad_calib_report_of(&calib)->outcome);
+    TEST_ASSERT_EQUAL(STAD_CALIB_IDLE, stad_calib_report_of(&calib)->phase);
+    TEST_ASSERT_EQUAL(STAD_CALIB_FAULT, stad_calib_report_of(&calib)->outcome);
+    TEST_ASSERT_EQUAL(STAD_FAULT_MATCH, stad_calib_report_of(&calib)->fault);
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->tune_after_q20);
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->judge_before_q20);
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->judge_after_q20);
     TEST_ASSERT_FALSE(changed());
+}
+
+void test_calib_set_in_use_that_cannot_be_matched_is_a_fault(void)
+{
+    TEST_ASSERT_EQUAL(1, run_trial(failing));
+    expect_match_fault();
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->tune_before_q20);
+    run_trial(failing_on_other_pose);
+    expect_match_fault();
+    TEST_ASSERT_EQUAL(POINTS(20), stad_calib_report_of(&calib)->tune_before_q20);
+}
+
+void test_calib_cost_not_measured_on_other_pose_is_not_reported(void)
+{
+    config.rule = STAD_RULE_NONE;
+    config.probation_frames = 0;
+    run_trial(presets_fail_on_other_pose);
+    TEST_ASSERT_TRUE(changed());
+    TEST_ASSERT_EQUAL(POINTS(20), stad_calib_report_of(&calib)->judge_before_q20);
+    TEST_ASSERT_EQUAL(-1, stad_calib_report_of(&calib)->judge_after_q20);
 }
 
 void test_calib_helping_preset_is_adopted(void)
@@ -261,6 +297,8 @@ void test_calib_probation_asks_for_a_frame_and_compares(void)
     TEST_ASSERT_EQUAL(STAD_CALIB_RECHECK, stad_calib_report_of(&calib)->phase);
 }
 
+static uint8_t alarmed_on_trial;
+
 static int compare(int32_t new_cost, int32_t old_cost)
 {
     stad_request r;
@@ -268,6 +306,7 @@ static int compare(int32_t new_cost, int32_t old_cost)
     stad_calib_saved(&calib, 0);
     stad_params adopted = stad_calib_setup(&calib)->params;
     stad_calib_enter(&calib, STAD_CALIB_COMPARE);
+    calib.alarmed_on_trial = alarmed_on_trial;
     stad_calib_want(&calib, &r);
     TEST_ASSERT_EQUAL_MEMORY(&adopted, &r.params, sizeof adopted);
     stad_calib_cost(&calib, new_cost);
@@ -286,7 +325,19 @@ void test_calib_worse_on_probation_rolls_back(void)
     TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, compare(POINTS(20.5), POINTS(20)));
     TEST_ASSERT_TRUE(changed());
     TEST_ASSERT_EQUAL(STAD_CALIB_ROLLED_BACK, compare(STAD_COST_FAILED, POINTS(20)));
-    TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, compare(STAD_COST_FAILED, STAD_COST_FAILED));
+    TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, compare(POINTS(20), STAD_COST_FAILED));
+}
+
+void test_calib_comparison_that_cannot_be_had_is_a_fault(void)
+{
+    TEST_ASSERT_EQUAL(STAD_CALIB_FAULT, compare(STAD_COST_FAILED, STAD_COST_FAILED));
+    TEST_ASSERT_EQUAL(STAD_FAULT_MATCH, stad_calib_report_of(&calib)->fault);
+    TEST_ASSERT_TRUE(changed()); /* it held on another pose */
+    alarmed_on_trial = 1;
+    TEST_ASSERT_EQUAL(STAD_CALIB_ROLLED_BACK, compare(STAD_COST_FAILED, STAD_COST_FAILED));
+    TEST_ASSERT_EQUAL(STAD_FAULT_MATCH, stad_calib_report_of(&calib)->fault);
+    TEST_ASSERT_FALSE(changed());
+    alarmed_on_trial = 0;
 }
 
 static uint8_t work[STAD_CALIB_FRAME_BYTES(320, 240)] STAD_ALIGNED;
@@ -422,7 +473,8 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_calib_equal_costs_keep_what_is_in_use);
-    RUN_TEST(test_calib_failed_matches_end_and_keep);
+    RUN_TEST(test_calib_set_in_use_that_cannot_be_matched_is_a_fault);
+    RUN_TEST(test_calib_cost_not_measured_on_other_pose_is_not_reported);
     RUN_TEST(test_calib_helping_preset_is_adopted);
     RUN_TEST(test_calib_preset_that_fails_on_other_pose_is_dropped);
     RUN_TEST(test_calib_strict_rule_refuses_a_point);
@@ -434,6 +486,7 @@ int main(void)
     RUN_TEST(test_calib_failed_save_is_asked_for_once_more);
     RUN_TEST(test_calib_probation_asks_for_a_frame_and_compares);
     RUN_TEST(test_calib_worse_on_probation_rolls_back);
+    RUN_TEST(test_calib_comparison_that_cannot_be_had_is_a_fault);
     RUN_TEST(test_calib_alarm_on_probation_without_marks_rolls_back);
     RUN_TEST(test_calib_quiet_probation_without_marks_keeps);
     RUN_TEST(test_calib_idle_wants_nothing_and_refuses_reports);

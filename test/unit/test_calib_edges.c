@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * unit/test_calib_edges.c - parts of the loop by themselves, at values that rendered frames do not bring about. */
+#include <stdio.h>
 #include <string.h>
 
 #include "calib_pump.h"
@@ -63,12 +64,59 @@ static void test_calib_stillness_is_of_marks_that_both_frames_show(void)
 
 static void test_calib_either_view_of_another_size_is_told(void)
 {
-    static uint8_t pix[320 * 240], work[STAD_CALIB_FRAME_BYTES(320, 240)] STAD_ALIGNED;
+    static uint8_t pix[320 * 240 + 2], work[STAD_CALIB_FRAME_BYTES(320, 240)] STAD_ALIGNED;
     const stad_image good = stad_image_packed(pix, 320, 240, 1), low = stad_image_packed(pix, 320, 239, 1);
+    const stad_image colours = {pix, 320, 240, 3, 1, 320};
     TEST_ASSERT_EQUAL(STAD_OK, stad_calib_start(&calib));
     TEST_ASSERT_EQUAL(STAD_E_SIZE, stad_calib_frame(&calib, &low, &good, work, sizeof work));
     TEST_ASSERT_EQUAL(STAD_E_SIZE, stad_calib_frame(&calib, &good, &low, work, sizeof work));
+    TEST_ASSERT_EQUAL(STAD_E_SIZE, stad_calib_frame(&calib, &good, &colours, work, sizeof work));
     TEST_ASSERT_EQUAL(STAD_FAULT_SIZE, stad_calib_report_of(&calib)->fault);
+}
+
+/* -- the workspace ---------------------------------------------------------------------------------------------------------- */
+
+#define OF(macro, g)                                                                                                        \
+    macro((g).width, (g).height, (g).channels, (g).max_disparities, (g).max_block_size, (g).max_p2, (g).max_pre_filter_cap, \
+          (g).mode, (g).memory)
+
+/* Usable for a static array: integer constant expressions. */
+enum {
+    EVALUATE_BYTES = STAD_CALIB_EVALUATE_BYTES(320, 240, 1, 64, 11, 8192, 127, STAD_MODE_SGBM, STAD_MEMORY_FAST),
+    WORK_BYTES = STAD_CALIB_WORK_BYTES(320, 240, 1, 64, 11, 8192, 127, STAD_MODE_SGBM, STAD_MEMORY_FAST)
+};
+
+static int between(uint32_t *dice, int low, int high)
+{
+    *dice = *dice * 1664525u + 1013904223u;
+    return low + (int)((*dice >> 8) % (uint32_t)(high - low + 1));
+}
+
+static void test_calib_bytes_of_macros_and_functions_agree(void)
+{
+    uint32_t dice = 5;
+    int marks_need_more = 0;
+    for (int i = 0; i < 20000; i++) {
+        const stad_geometry g = {(int16_t)between(&dice, 40, 2048),
+                                 (int16_t)between(&dice, 16, 2048),
+                                 (int16_t)(between(&dice, 0, 1) ? 1 : 3),
+                                 (int16_t)(16 * between(&dice, 1, 2)),
+                                 (int16_t)(2 * between(&dice, 0, 8) + 1),
+                                 (int16_t)between(&dice, 2, between(&dice, 0, 1) ? 255 : 32767),
+                                 (int16_t)(2 * between(&dice, 7, 60) + 1),
+                                 (uint8_t)between(&dice, 0, 3),
+                                 (uint8_t)between(&dice, 0, 1)};
+        const size_t marks = stad_calib_frame_bytes(g.width, g.height), match = stad_calib_evaluate_bytes(&g);
+        char what[60];
+        snprintf(what, sizeof what, "geometry %d of seed 5, %d x %d", i, g.width, g.height);
+        TEST_ASSERT_EQUAL_INT_MESSAGE(STAD_OK, stad_geometry_check(&g, NULL), what);
+        TEST_ASSERT_EQUAL_size_t_MESSAGE(match, OF(STAD_CALIB_EVALUATE_BYTES, g), what);
+        TEST_ASSERT_EQUAL_size_t_MESSAGE(marks > match ? marks : match, OF(STAD_CALIB_WORK_BYTES, g), what);
+        marks_need_more += marks > match;
+    }
+    TEST_ASSERT_GREATER_THAN(0, marks_need_more);
+    TEST_ASSERT_EQUAL(EVALUATE_BYTES, stad_calib_evaluate_bytes(&config.geometry));
+    TEST_ASSERT_EQUAL(WORK_BYTES, EVALUATE_BYTES);
 }
 
 /* -- an alarm in each phase that looks at no frame -------------------------------------------------------------------------- */
@@ -169,9 +217,12 @@ static void test_calib_strict_rule_takes_the_better_of_both(void)
     TEST_ASSERT_EQUAL(STAD_CALIB_ADOPTED, stad_calib_report_of(&calib)->outcome);
 }
 
+/* Refused, and the loop as it was. */
 static int refused(void)
 {
-    return stad_calib_init(&calib, &config, &setup) == STAD_E_PARAM;
+    static stad_calib before;
+    memcpy(&before, &calib, sizeof before);
+    return stad_calib_init(&calib, &config, &setup) == STAD_E_PARAM && memcmp(&before, &calib, sizeof before) == 0;
 }
 
 #define REFUSES(object, field, value)                             \
@@ -199,12 +250,47 @@ void test_calib_config_out_of_range_is_refused(void)
     REFUSES(config, gain_q20, -1);
     REFUSES(config, cost, STAD_SCORE_D1);
     REFUSES(config, rule, 3);
+    REFUSES(config, camera.f_q8, 0);
+    REFUSES(config, camera.f_q8, 1 << 20);
+    REFUSES(config, camera.cx_q8, 1 << 20);
+    REFUSES(config, camera.cy_q8, -(1 << 20));
+    REFUSES(config, ids, 0);
+    REFUSES(config, ids, 0xFFFFFFF0u); /* none of the target's */
+    REFUSES(config, ids, 0xFFFFFFF4u); /* one */
     REFUSES(config, monitor.learn_frames, 0);
     REFUSES(setup, width, 321);
     REFUSES(setup, mode, STAD_MODE_HH);
     REFUSES(setup, channels, 3);
     REFUSES(setup, params.block_size, 13);
     REFUSES(setup, params.p1, 0);
+    setUp();
+}
+
+/* The matcher takes frames in which marks cannot be looked for; the loop does not, for then it knows no size of its workspace. */
+void test_calib_frames_that_marks_cannot_take_are_refused(void)
+{
+    const int16_t sizes[3][2] = {{2056, 240}, {320, 2049}, {320, 15}};
+    for (int i = 0; i < 3; i++) {
+        setUp();
+        config.geometry.width = setup.width = setup.rig.width = sizes[i][0];
+        config.geometry.height = setup.height = setup.rig.height = sizes[i][1];
+        TEST_ASSERT_EQUAL(STAD_OK, stad_geometry_check(&config.geometry, NULL));
+        TEST_ASSERT_EQUAL(0, stad_calib_frame_bytes(sizes[i][0], sizes[i][1]));
+        TEST_ASSERT_TRUE(refused());
+    }
+    setUp();
+}
+
+void test_calib_targets_that_no_truth_is_made_of_are_refused(void)
+{
+    stad_target target = *stad_target_relief();
+    config.target = &target;
+    TEST_ASSERT_EQUAL(STAD_OK, stad_calib_init(&calib, &config, &setup));
+    target.part_count = 33;
+    TEST_ASSERT_TRUE(refused());
+    target.part_count = 6;
+    target.tag_count = 1;
+    TEST_ASSERT_TRUE(refused());
     setUp();
 }
 
@@ -245,11 +331,14 @@ int main(void)
     RUN_TEST(test_calib_parameters_out_of_their_domain_do_not_fit);
     RUN_TEST(test_calib_stillness_is_of_marks_that_both_frames_show);
     RUN_TEST(test_calib_either_view_of_another_size_is_told);
+    RUN_TEST(test_calib_bytes_of_macros_and_functions_agree);
     RUN_TEST(test_calib_alarm_while_matching_outlives_the_run);
     RUN_TEST(test_calib_presets_below_the_smallest_block_are_not_tried);
     RUN_TEST(test_calib_rule_none_takes_what_the_tuning_frame_likes);
     RUN_TEST(test_calib_strict_rule_takes_the_better_of_both);
     RUN_TEST(test_calib_config_out_of_range_is_refused);
+    RUN_TEST(test_calib_frames_that_marks_cannot_take_are_refused);
+    RUN_TEST(test_calib_targets_that_no_truth_is_made_of_are_refused);
     RUN_TEST(test_calib_penalty_is_nothing_at_the_start);
     RUN_TEST(test_calib_penalty_of_a_block_with_its_area_is_nothing);
     RUN_TEST(test_calib_margin_is_two_points_or_three_deviations);

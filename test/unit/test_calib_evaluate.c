@@ -101,6 +101,22 @@ static void test_calib_three_channels_find_the_same_target(void)
     TEST_ASSERT_GREATER_THAN(cost, evaluate(&r));
 }
 
+/* A firmware's mistake, not the scene's: told as a fault, and no cost is reported. */
+static void test_calib_run_without_room_to_match_ends_as_a_fault(void)
+{
+    stad_request r = ask(NEAR_POSE, FAR_POSE);
+    const stad_calib_report *report = stad_calib_report_of(&calib);
+    for (int i = 0; i < 100 && stad_calib_want(&calib, &r) == STAD_WANT_MATCH; i++) {
+        const stad_image left = view(held[r.hold][0]), right = view(held[r.hold][1]);
+        stad_calib_cost(&calib, stad_calib_evaluate(&calib, &r, &evaluator, &left, &right, memory, 64));
+    }
+    TEST_ASSERT_EQUAL(STAD_CALIB_IDLE, report->phase);
+    TEST_ASSERT_EQUAL(STAD_CALIB_FAULT, report->outcome);
+    TEST_ASSERT_EQUAL(STAD_FAULT_MATCH, report->fault);
+    TEST_ASSERT_EQUAL(-1, report->tune_before_q20);
+    TEST_ASSERT_EQUAL(-1, report->judge_before_q20);
+}
+
 int main(void)
 {
     render_all();
@@ -109,5 +125,6 @@ int main(void)
     RUN_TEST(test_calib_cost_of_a_drifted_pair_is_small_through_its_correction_only);
     RUN_TEST(test_calib_rotation_or_scale_alone_is_a_correction);
     RUN_TEST(test_calib_three_channels_find_the_same_target);
+    RUN_TEST(test_calib_run_without_room_to_match_ends_as_a_fault);
     return UNITY_END();
 }

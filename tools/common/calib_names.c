@@ -26,8 +26,8 @@ const char *calib_outcome_name(int outcome)
 
 const char *calib_fault_name(int fault)
 {
-    static const char *const names[] = {"none",  "late",  "black", "saturated", "flat",   "frozen", "swapped",
-                                        "marks", "range", "rig",   "size",      "camera", "moving", "same"};
+    static const char *const names[] = {"none",  "late", "black", "saturated", "flat",   "frozen", "swapped", "marks",
+                                        "range", "rig",  "size",  "camera",    "moving", "same",   "match"};
     return NAME_OF(names, fault);
 }
 

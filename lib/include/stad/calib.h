@@ -17,12 +17,16 @@
  *     }
  *
  * A run:   look for marks (alarm, schedule or stad_calib_start) -> tuning frame -> a frame of another pose to judge
- * by -> correction confirmed on fresh frames, if the rig needs one -> the target picks a preset -> ncg from there ->
- * the judge decides -> save -> probation: live frames, then both sets on one more frame with marks -> done, or rolled
- * back.
+ * by -> correction confirmed on fresh frames, if the rig needs one -> the target picks a preset -> the judge drops it
+ * if it is worse there -> a descent (STAD_TUNE_DESCENT) from what is left -> the judge decides -> save -> probation:
+ * live frames, then both sets on one more frame with marks -> done, or rolled back.
  *
  * Nothing is adopted that did not hold on a frame it was not made from. The set in use (stad_calib_setup) changes at
  * two points only: when the decision is made, just before SAVE is asked for, and when it is rolled back.
+ *
+ * All is measured by the set in use. If its cost is not to be had where a run needs it (STAD_COST_FAILED: mostly a
+ * workspace or images that do not fit), the run ends as STAD_CALIB_FAULT with STAD_FAULT_MATCH. Any other set that
+ * fails is left out.
  *
  * Memory: one struct of less than 10 KB, the workspace of the caller, and two held frame pairs (at least the crop
  * r.box of them). After a reset call stad_calib_init() with the setup that stad_store_load() found: a run that was
@@ -83,11 +87,11 @@ enum stad_rule {
 
 /* What a calibration is told. Start from stad_calib_config_default(). */
 typedef struct stad_calib_config {
-    stad_geometry geometry;      /* of the live matcher: no set is asked for that would not fit it */
+    stad_geometry geometry;      /* of the live matcher: no set is asked for that would not fit it; 16 .. 2048 px a side */
     const stad_target *target;   /* stad_target_relief(), or a constant table of your own */
-    stad_camera camera;          /* both views' */
+    stad_camera camera;          /* both views'; as stad_truth_from_target() takes it */
     stad_monitor_config monitor; /* when to ask for a run */
-    uint32_t ids;                /* bit i: mark i may be used; default all of the target's */
+    uint32_t ids;                /* bit i: mark i may be used, two of the target's at least; default all of them */
     int16_t margin_px;           /* stad_truth_init()'s; default 1 */
     int16_t pose_px;             /* mean move of the corners that makes another pose; default 6 */
     int16_t patience;            /* frames in vain before a run is given up; default 60 */
@@ -133,11 +137,11 @@ enum stad_calib_outcome {
     STAD_CALIB_NO_POSE = 7,     /* patience ran out looking for another pose */
     STAD_CALIB_RIG_FAILED = 8,  /* the rig needs a full calibration, moved during the run, or its correction was not
                                  * confirmed; an alarm is raised again after the monitor's cool-down */
-    STAD_CALIB_FAULT = 9,       /* patience ran out on camera faults */
+    STAD_CALIB_FAULT = 9,       /* patience ran out on camera faults, or STAD_FAULT_MATCH */
     STAD_CALIB_CANCELLED = 10
 };
 
-/* What was wrong with the last frame. */
+/* What was wrong with the last frame, or with its matches. */
 enum stad_calib_fault {
     STAD_FAULT_NONE = 0,
     STAD_FAULT_LATE = 1,      /* no frame came */
@@ -149,13 +153,14 @@ enum stad_calib_fault {
     STAD_FAULT_MARKS = 7,     /* too few marks, or marks that do not fit one sheet (a torn frame, a bent sheet) */
     STAD_FAULT_RANGE = 8,     /* the target is nearer or farther than the matcher searches */
     STAD_FAULT_RIG = 9,       /* rows do not agree and no small correction makes them, or not as at the run's start */
-    STAD_FAULT_SIZE = 10,     /* not the geometry's size */
+    STAD_FAULT_SIZE = 10,     /* not the geometry's size or channels */
     STAD_FAULT_CAMERA = 11,   /* the marks make no rectangular sheet in space: a wrong focal length or principal point */
     STAD_FAULT_MOVING = 12,   /* CONFIRM: hold the target still; a moving one tells of views that come late, not of the rig */
-    STAD_FAULT_SAME = 13      /* left and right are the same picture: one camera feeds both */
+    STAD_FAULT_SAME = 13,     /* left and right are the same picture: one camera feeds both */
+    STAD_FAULT_MATCH = 14     /* the cost of the set in use could not be had: a firmware's workspace or images do not fit */
 };
 
-/* What the calibration says of itself. Costs are Q20. */
+/* What the calibration says of itself. Costs are Q20, and measured: never STAD_COST_FAILED. */
 typedef struct stad_calib_report {
     uint8_t phase;          /* enum stad_calib_phase */
     uint8_t outcome;        /* enum stad_calib_outcome */
@@ -222,10 +227,13 @@ void stad_calib_config_default(stad_calib_config *c, const stad_geometry *geomet
                                const stad_camera *camera);
 
 /* Starts with `setup`, what stad_store_load() found, in use. STAD_E_PARAM: config or setup out of range, or not of
- * one geometry. The setup's own min_disparity, num_disparities and speckle parameters are never changed. */
+ * one geometry, frames in which marks cannot be looked for (stad_calib_frame_bytes() is 0), or a target that is missing
+ * or cannot be used with camera and ids; *c is unchanged then. The setup's own min_disparity, num_disparities and
+ * speckle parameters are never changed. */
 int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_setup *setup);
 
-/* One live frame's counters, matched with the setup in use. Returns the monitor's answer. */
+/* One live frame's counters, matched with the setup in use. Returns the monitor's answer: enum stad_monitor_state, or
+ * STAD_E_PARAM when the counters are impossible; such a frame is one of the schedule's and of the probation's still. */
 int stad_calib_counts(stad_calib *c, const stad_match_counts *counts);
 
 /* What is wrong with a live frame, told at once: enum stad_calib_fault, one of NONE, LATE (a view is NULL), SIZE, BLACK,
@@ -246,7 +254,7 @@ int stad_calib_want(const stad_calib *c, stad_request *r);
 /* Workspace of stad_calib_frame(). */
 #define STAD_CALIB_FRAME_BYTES(width, height) (STAD_MARK_BYTES(width, height) + STAD_CALIB_SCRATCH)
 #define STAD_CALIB_SCRATCH                    4608u /* marks and pairs of a frame, and copies of the pairs of several */
-/* The same at run time. */
+/* The same at run time; 0 for a size in which marks cannot be looked for. */
 size_t stad_calib_frame_bytes(int32_t width, int32_t height);
 
 /* A fresh raw pair. `left` or `right` NULL: it did not come in time. Returns 1: hold the pair in buffer r.hold; 0:
@@ -261,7 +269,8 @@ int stad_calib_truth_row(const stad_calib *c, const stad_request *r, int y, int3
 /* The score config to go with it. */
 void stad_calib_score_config(const stad_calib *c, const stad_request *r, stad_score_config *s);
 
-/* The cost that MATCH asked for; STAD_COST_FAILED when it could not be had. STAD_E_STATE: none was asked for. */
+/* The cost that MATCH asked for; STAD_COST_FAILED when it could not be had. STAD_E_STATE: none was asked for;
+ * STAD_E_PARAM: a cost below 0, and it is still asked for. */
 int stad_calib_cost(stad_calib *c, int32_t cost_q20);
 
 /* How the save ended: a status; negative means that it will be asked for once more, then given up (the set stays in
@@ -277,7 +286,7 @@ const stad_calib_report *stad_calib_report_of(const stad_calib *c);
 /* -- presets: where a run starts, by the regime the camera is in ------------------------------------------------- */
 
 /* Preset i, 0..STAD_PRESETS - 1, as a tuner's point for images of that many channels, and its name. STAD_E_PARAM past
- * the end. */
+ * the end, or channels not 1 or 3. */
 int stad_calib_preset(int i, int channels, stad_point *point, const char **name);
 
 /* -- the one evaluation, done for you ---------------------------------------------------------------------------- */
@@ -291,11 +300,20 @@ typedef struct stad_evaluator {
 /* Workspace: the live matcher's (its geometry), and STAD_CALIB_ROWS_BYTES() for five rows. Aligned to STAD_ALIGN. */
 #define STAD_CALIB_ROWS_BYTES(width, channels) \
     (((size_t)(width) * (7u + 2u * (size_t)(channels)) + STAD_ALIGN - 1u) / STAD_ALIGN * STAD_ALIGN)
-/* The bytes of both. */
+/* The bytes of both; all arguments as of STAD_MATCH_BYTES(). */
+#define STAD_CALIB_EVALUATE_BYTES(width, height, channels, max_disp, max_block, max_p2, max_cap, mode, memory) \
+    (STAD_MATCH_BYTES(width, height, channels, max_disp, max_block, max_p2, max_cap, mode, memory) +           \
+     STAD_CALIB_ROWS_BYTES(width, channels))
+/* The same at run time; 0 for an invalid geometry. */
 size_t stad_calib_evaluate_bytes(const stad_geometry *geometry);
 
+/* One workspace for stad_calib_frame() and stad_calib_evaluate() in turn: the larger of both. */
+#define STAD_CALIB_WORK_BYTES(width, height, channels, max_disp, max_block, max_p2, max_cap, mode, memory) \
+    STAD_BYTES_MAX(STAD_CALIB_FRAME_BYTES(width, height),                                                  \
+                   STAD_CALIB_EVALUATE_BYTES(width, height, channels, max_disp, max_block, max_p2, max_cap, mode, memory))
+
 /* Matches the crop of a MATCH request on a held raw pair and scores it against the truth: the cost, or
- * STAD_COST_FAILED. */
+ * STAD_COST_FAILED, also when images or workspace do not fit. */
 int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e, const stad_image *left,
                             const stad_image *right, void *work, size_t work_bytes);
 

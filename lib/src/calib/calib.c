@@ -12,6 +12,7 @@
 
 #include "base/bytes.h"
 #include "base/arith.h"
+#include "truth/target_use.h"
 
 void stad_calib_config_default(stad_calib_config *c, const stad_geometry *geometry, const stad_target *target,
                                const stad_camera *camera)
@@ -21,8 +22,7 @@ void stad_calib_config_default(stad_calib_config *c, const stad_geometry *geomet
     c->target = target;
     c->camera = *camera;
     stad_monitor_defaults(&c->monitor);
-    for (int i = 0; i < target->tag_count; i++)
-        c->ids |= 1u << target->tags[i].id;
+    c->ids = stad_target_ids(target);
     c->margin_px = 1;
     c->pose_px = 6;
     c->patience = 60;
@@ -43,9 +43,20 @@ static int in(int32_t v, int32_t low, int32_t high)
     return v >= low && v <= high;
 }
 
+/* Frames in which marks can be looked for, a target that can be used, and a pair of its marks to find. */
+static int marks_fit(const stad_calib_config *c)
+{
+    if (stad_geometry_check(&c->geometry, NULL) != STAD_OK || !stad_calib_frame_bytes(c->geometry.width, c->geometry.height))
+        return 0;
+    if (!c->target || !stad_target_fits(c->target, &c->camera))
+        return 0;
+    const uint32_t ids = stad_target_ids(c->target) & c->ids;
+    return (ids & (ids - 1u)) != 0;
+}
+
 static int config_fits(const stad_calib_config *c)
 {
-    if (stad_geometry_check(&c->geometry, NULL) != STAD_OK || !c->target)
+    if (!marks_fit(c))
         return 0;
     if (!in(c->margin_px, 0, 16) || !in(c->pose_px, 0, 1000) || !in(c->patience, 1, INT16_MAX))
         return 0;
@@ -112,15 +123,15 @@ static void begin(stad_calib *c, int scheduled)
 int stad_calib_init(stad_calib *c, const stad_calib_config *config, const stad_setup *setup)
 {
     STAD_ASSERT(c && config && setup);
-    if (!config_fits(config) || !setup_fits(config, setup))
+    if (!config_fits(config) || !setup_fits(config, setup) || stad_monitor_init(&c->monitor, &config->monitor) != STAD_OK)
         return STAD_E_PARAM;
     memset(c, 0, sizeof *c);
+    stad_monitor_init(&c->monitor, &config->monitor);
     c->config = *config;
     c->active = *setup;
-    c->previous = *setup;
     begin(c, 0); /* and not gone on with: the report of no run */
     stad_calib_enter(c, STAD_CALIB_IDLE);
-    return stad_monitor_init(&c->monitor, &config->monitor);
+    return STAD_OK;
 }
 
 int stad_calib_start(stad_calib *c)

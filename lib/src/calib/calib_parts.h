@@ -8,6 +8,9 @@
 /* -- health.c: can these views be used at all? Remembers them in view[0] and view[1]. Returns enum stad_calib_fault. */
 int stad_calib_views_fault(const stad_calib *c, stad_calib_view *view, const stad_image *left, const stad_image *right);
 
+/* 1: size and channels are the geometry's. */
+int stad_calib_size_fits(const stad_calib *c, const stad_image *image);
+
 /* -- pairs.c */
 /* What is left of the rows' disagreement of `count` raw pairs with a correction applied; `room` for as many. Returns
  * enum stad_rig_verdict. */
@@ -18,6 +21,9 @@ int stad_calib_is_another_pose(const stad_calib *c, const stad_pair *pairs, int 
 
 /* 1: no mark has moved by a quarter of a pixel, in the left view, since the last frame in the pool. */
 int stad_calib_is_still(const stad_calib *c, const stad_pair *pairs, int count);
+
+/* -- collect.c: patience has run out, or the set in use cannot be matched: keep what is proven so far. */
+void stad_calib_give_up(stad_calib *c);
 
 /* -- points.c: parameters as the tuner's points */
 stad_point stad_calib_point_of(const stad_params *params);
@@ -33,7 +39,7 @@ int32_t stad_calib_handicap_q16(int i); /* by how much the target flatters prese
 int32_t stad_calib_raised(int32_t cost_q20, int64_t by_q16);
 int32_t stad_calib_penalised(const stad_point *start, const stad_point *x, int32_t cost_q20, int32_t lambda_q16);
 int32_t stad_calib_margin(int32_t cost_q20, int32_t pixels, int32_t least_q20);
-int stad_calib_is_better(int32_t now_q20, int32_t was_q20, int32_t margin_q20); /* now + margin <= was; a failure never is */
+int stad_calib_is_better(int32_t now_q20, int32_t was_q20, int32_t margin_q20); /* now + margin <= was, which was measured */
 
 /* -- trial.c: the phases that ask for matches */
 void stad_calib_trial_begin(stad_calib *c);                          /* enters PICK */

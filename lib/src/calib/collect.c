@@ -322,8 +322,7 @@ static int give_up_outcome(const stad_calib *c)
     }
 }
 
-/* Patience has run out: keep what is proven so far. */
-static void give_up(stad_calib *c)
+void stad_calib_give_up(stad_calib *c)
 {
     int phase = c->report.phase;
     if (phase == STAD_CALIB_OTHER && rig_is_new(c)) {
@@ -332,7 +331,7 @@ static void give_up(stad_calib *c)
         stad_calib_finish(c, c->report.fault == STAD_FAULT_RIG ? STAD_CALIB_RIG_FAILED : STAD_CALIB_NO_POSE);
     } else if (phase == STAD_CALIB_CONFIRM) {
         stad_calib_finish(c, STAD_CALIB_RIG_FAILED);
-    } else if (phase == STAD_CALIB_RECHECK && (c->alarmed_on_trial || c->report.fault == STAD_FAULT_RIG)) {
+    } else if (phase >= STAD_CALIB_RECHECK && (c->alarmed_on_trial || c->report.fault == STAD_FAULT_RIG)) {
         stad_calib_roll_back(c);
     } else if (phase == STAD_CALIB_RECHECK) {
         stad_calib_finish(c, STAD_CALIB_ADOPTED);
@@ -341,16 +340,11 @@ static void give_up(stad_calib *c)
     }
 }
 
-static int status_of(int fault)
-{
-    if (fault == STAD_FAULT_MARKS || fault == STAD_FAULT_RANGE)
-        return STAD_E_NO_MARK;
-    if (fault == STAD_FAULT_RIG || fault == STAD_FAULT_CAMERA)
-        return STAD_E_RIG;
-    if (fault == STAD_FAULT_LATE || fault == STAD_FAULT_MOVING)
-        return STAD_AGAIN;
-    return fault == STAD_FAULT_SIZE ? STAD_E_SIZE : STAD_E_CORRUPT;
-}
+/* What a frame with that fault is answered: enum stad_calib_fault, from NONE to SAME. */
+static const int8_t status_of[] = {
+    STAD_OK,        STAD_AGAIN,     STAD_E_CORRUPT, STAD_E_CORRUPT, STAD_E_CORRUPT, STAD_E_CORRUPT, STAD_E_CORRUPT,
+    STAD_E_NO_MARK, STAD_E_NO_MARK, STAD_E_RIG,     STAD_E_SIZE,    STAD_E_RIG,     STAD_AGAIN,     STAD_E_CORRUPT,
+};
 
 int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *right, void *work, size_t work_bytes)
 {
@@ -370,7 +364,7 @@ int stad_calib_frame(stad_calib *c, const stad_image *left, const stad_image *ri
     if (c->report.phase == phase) { /* no step forward: one frame of patience */
         c->vain++;
         if (c->vain >= (c->scheduled && phase == STAD_CALIB_LOOK ? 1 : c->config.patience))
-            give_up(c);
+            stad_calib_give_up(c);
     }
-    return fault == STAD_FAULT_NONE ? held : status_of(fault);
+    return fault == STAD_FAULT_NONE ? held : status_of[fault];
 }

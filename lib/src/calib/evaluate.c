@@ -92,18 +92,13 @@ static int feed(const stad_request *r, stad_evaluator *e, const rows *row, const
     return stad_match_push(&e->match, row->left + skip, row->right + skip);
 }
 
-static int sizes_fit(const stad_geometry *g, const stad_image *image)
-{
-    return image->width == g->width && image->height == g->height && image->channels == g->channels;
-}
-
 int32_t stad_calib_evaluate(const stad_calib *c, const stad_request *r, stad_evaluator *e, const stad_image *left,
                             const stad_image *right, void *work, size_t work_bytes)
 {
     STAD_ASSERT(c && r && e && left && right);
     const stad_geometry *g = &c->config.geometry;
     size_t rows_bytes = STAD_CALIB_ROWS_BYTES(g->width, g->channels);
-    if (r->want != STAD_WANT_MATCH || !sizes_fit(g, left) || !sizes_fit(g, right))
+    if (r->want != STAD_WANT_MATCH || !stad_calib_size_fits(c, left) || !stad_calib_size_fits(c, right))
         return STAD_COST_FAILED;
     if (!work || work_bytes < rows_bytes || (uintptr_t)work % STAD_ALIGN != 0)
         return STAD_COST_FAILED;

@@ -62,9 +62,10 @@ static int view_fault(const stad_calib *c, stad_calib_view *view, const stad_ima
     return frozen ? STAD_FAULT_FROZEN : STAD_FAULT_NONE;
 }
 
-static int size_fits(const stad_calib *c, const stad_image *image)
+int stad_calib_size_fits(const stad_calib *c, const stad_image *image)
 {
-    return image->width == c->config.geometry.width && image->height == c->config.geometry.height;
+    const stad_geometry *g = &c->config.geometry;
+    return image->width == g->width && image->height == g->height && image->channels == g->channels;
 }
 
 /* Both views are hashed even if the first is at fault, so that the next frame is compared with this one. */
@@ -72,7 +73,7 @@ int stad_calib_views_fault(const stad_calib *c, stad_calib_view *view, const sta
 {
     if (!left || !right)
         return STAD_FAULT_LATE;
-    if (!size_fits(c, left) || !size_fits(c, right))
+    if (!stad_calib_size_fits(c, left) || !stad_calib_size_fits(c, right))
         return STAD_FAULT_SIZE;
     int fault = view_fault(c, &view[0], left), second = view_fault(c, &view[1], right);
     if (fault == STAD_FAULT_NONE)

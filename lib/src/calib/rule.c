@@ -58,7 +58,5 @@ int32_t stad_calib_margin(int32_t cost_q20, int32_t pixels, int32_t least_q20)
 
 int stad_calib_is_better(int32_t now_q20, int32_t was_q20, int32_t margin_q20)
 {
-    if (now_q20 == STAD_COST_FAILED)
-        return 0;
     return (int64_t)now_q20 + margin_q20 <= was_q20;
 }

@@ -2,8 +2,8 @@
  * truth -> pick -> judge -> tune -> [TRIAL] -> adopt        calib/trial.c - the order of the matches and the decision
  *
  * On the tuning frame: the set in use (step 0), then the presets (step 1 + i). On the other pose: the set in use (0),
- * the pick (1). On the tuning frame: ncg from the pick. On the other pose: the tuned set (2). Each is one MATCH
- * request. */
+ * the pick (1), which is dropped if it is worse there. On the tuning frame: a descent from what is left. On the other
+ * pose: the tuned set (2). Each is one MATCH request. */
 #include "calib/calib_parts.h"
 
 enum judged { JUDGE_ACTIVE = 0, JUDGE_PICK = 1, JUDGE_TUNED = 2 };
@@ -95,18 +95,22 @@ static int is_no_judge(const stad_calib *c)
 
 static void decide(stad_calib *c)
 {
-    int chosen = is_no_judge(c) ? JUDGE_ACTIVE : choose(c);
-    c->alarm_stands |= (uint8_t)is_no_judge(c);
+    const int no_judge = is_no_judge(c), chosen = no_judge ? JUDGE_ACTIVE : choose(c);
+    const int32_t judged_q20 = c->judged_q20[chosen];
     stad_point point = active_point(c);
-    if (chosen != JUDGE_ACTIVE)
-        point = chosen == JUDGE_TUNED ? c->tuned : c->pick;
-    c->report.tuned = chosen == JUDGE_TUNED;
-    c->report.tune_after_q20 = chosen == JUDGE_TUNED  ? c->tuned_q20
-                               : chosen == JUDGE_PICK ? c->pick_q20
-                                                      : c->report.tune_before_q20;
-    c->report.judge_after_q20 = c->judged_q20[chosen];
-    if (chosen != JUDGE_ACTIVE)
-        c->candidate.origin = chosen == JUDGE_TUNED ? STAD_ORIGIN_TUNED : STAD_ORIGIN_PRESET;
+    c->alarm_stands |= (uint8_t)no_judge;
+    c->report.tune_after_q20 = c->report.tune_before_q20;
+    c->report.judge_after_q20 = judged_q20 != STAD_COST_FAILED ? judged_q20 : -1;
+    if (chosen == JUDGE_PICK) {
+        point = c->pick;
+        c->report.tune_after_q20 = c->pick_q20;
+        c->candidate.origin = STAD_ORIGIN_PRESET;
+    } else if (chosen == JUDGE_TUNED) {
+        point = c->tuned;
+        c->report.tuned = 1;
+        c->report.tune_after_q20 = c->tuned_q20;
+        c->candidate.origin = STAD_ORIGIN_TUNED;
+    }
     c->candidate.params = stad_calib_params_at(&c->active.params, &point);
     stad_calib_adopt(c);
 }
@@ -217,8 +221,22 @@ static void compared(stad_calib *c, int32_t cost_q20)
         stad_calib_finish(c, STAD_CALIB_ADOPTED);
 }
 
+/* Does all else hang on this cost? That of the set in use, the first of PICK and of JUDGE; in COMPARE, when the new set's is not to
+ * be had either. */
+static int is_needed(const stad_calib *c)
+{
+    if (c->report.phase == STAD_CALIB_COMPARE)
+        return c->step == 1 && c->compared_q20 == STAD_COST_FAILED;
+    return c->step == 0 && c->report.phase != STAD_CALIB_TUNE;
+}
+
 void stad_calib_trial_cost(stad_calib *c, int32_t cost_q20)
 {
+    if (cost_q20 == STAD_COST_FAILED && is_needed(c)) {
+        c->report.fault = STAD_FAULT_MATCH;
+        stad_calib_give_up(c);
+        return;
+    }
     if (c->report.phase != STAD_CALIB_COMPARE)
         c->report.evaluations++;
     if (c->report.phase == STAD_CALIB_PICK)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * [truth/target.c] -> truth, renderer, sheet - the calibration targets as tables.
+ * [truth/target.c] -> truth, renderer, sheet - the calibration targets as tables, and what any table can be used for.
  *
  * Heights and steepness follow what tuning needs at the distance where the marks are 24 to 48 px a side: a step of several
  * pixels of disparity (plate), a steep slope along the rows (wedge), two opposite slopes (tent), narrow bars. The sheet fits
@@ -7,6 +7,8 @@
 #include "stad/target.h"
 
 #include <stddef.h>
+
+#include "truth/target_use.h"
 
 static const stad_target_tag relief_tags[] = {{0, 6, 6}, {1, 202, 6}, {2, 202, 130}, {3, 6, 130}};
 
@@ -38,4 +40,23 @@ const stad_target *stad_target_relief(void)
 const stad_target *stad_target_card(void)
 {
     return &card;
+}
+
+static int camera_fits(const stad_camera *c)
+{
+    const int32_t most = 1 << 20;
+    return c->f_q8 >= 16 * 256 && c->f_q8 < most && c->cx_q8 > -most && c->cx_q8 < most && c->cy_q8 > -most && c->cy_q8 < most;
+}
+
+int stad_target_fits(const stad_target *target, const stad_camera *camera)
+{
+    return (camera ? camera_fits(camera) : target->facet_count <= 0) && target->part_count <= 32;
+}
+
+uint32_t stad_target_ids(const stad_target *target)
+{
+    uint32_t ids = 0;
+    for (int i = 0; i < target->tag_count; i++)
+        ids |= 1u << (target->tags[i].id & 31);
+    return ids;
 }

@@ -5,6 +5,7 @@
 #include "base/arith.h"
 #include "truth/plane_fit.h"
 #include "truth/sheet_pose.h"
+#include "truth/target_use.h"
 #include "truth/truth_part.h"
 
 /* Disparity of the base under a part's first corner: how near it is. */
@@ -66,12 +67,6 @@ static int add_parts(stad_truth *t, const sheet_pose *pose, const stad_target *t
     return added;
 }
 
-static int camera_ok(const stad_camera *c)
-{
-    const int32_t most = 1 << 20;
-    return c->f_q8 >= 16 * 256 && c->f_q8 < most && c->cx_q8 > -most && c->cx_q8 < most && c->cy_q8 > -most && c->cy_q8 < most;
-}
-
 /* Pairs of marks that the pose rests on. */
 static int count_marks(const stad_pair *pairs, int n, uint32_t ids)
 {
@@ -89,11 +84,9 @@ int stad_truth_from_target(stad_truth *t, const stad_target *target, const stad_
     stad_plane base;
     stad_plane_report report;
     sheet_pose pose;
-    uint32_t ids = 0;
-    if ((camera ? !camera_ok(camera) : target->facet_count > 0) || target->part_count > 32)
+    uint32_t ids = stad_target_ids(target);
+    if (!stad_target_fits(target, camera))
         return STAD_E_PARAM;
-    for (int i = 0; i < target->tag_count; i++)
-        ids |= 1u << (target->tags[i].id & 31);
     const int fit = stad_plane_fit_ids(&base, &report, pairs, n, ids);
     if (fit < 0)
         return fit;
