@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Marks, rig, truth and the simulated board: against the tool on the same recording, and on what is drawn to be wrong."""
 import csv
+import ctypes
 import json
 import tempfile
 import unittest
 
 import numpy as np
 import stadimeter
+from stadimeter import _native as native
 
 from scenes import main, recording, stad
 
@@ -59,6 +61,19 @@ class Marks(unittest.TestCase):
 
 
 class Simulation(unittest.TestCase):
+    @staticmethod
+    def record(number):
+        """A good record with that number."""
+        record = ctypes.create_string_buffer(native.SETUP_BYTES)
+        native.lib.stad_setup_pack(stadimeter.Board(320, 240).setup(), number, record)
+        return record.raw
+
+    @staticmethod
+    def number_of(stored):
+        setup, number = native.Setup(), ctypes.c_uint32()
+        native.lib.stad_setup_unpack(stored, len(stored), setup, ctypes.byref(number))
+        return number.value
+
     def test_a_board_does_what_the_tool_does(self):
         options = {"calibrate-at": 1, "evaluations": 20, "budget": 40, "probation-frames": 0, "learn-frames": 3}
         with tempfile.TemporaryDirectory() as folder:
@@ -79,6 +94,28 @@ class Simulation(unittest.TestCase):
         self.assertEqual(board.params, result.params)
         with self.assertRaises(ValueError):
             stadimeter.Board(320, 240, stored=result.stored[:-1] + bytes([result.stored[-1] ^ 1]))
+
+    def test_parameters_beside_a_record_are_refused_by_name(self):
+        stored = self.record(7)
+        self.assertEqual(stadimeter.Board(320, 240, stored=stored).params["num_disparities"], 64)
+        for name, value in {"numDisparities": 64, "blockSize": 3, "P1": 99, "minDisparity": 0}.items():
+            with self.assertRaisesRegex(ValueError, name):
+                stadimeter.Board(320, 240, stored=stored, **{name: value})
+
+    def test_the_next_record_is_newer_than_the_restored_one(self):
+        board = stadimeter.Board(320, 240, stored=self.record(7))
+        board._save()
+        self.assertEqual(self.number_of(board.stored), 8)
+
+    def test_options_out_of_range_are_refused_by_name(self):
+        for name, value in {"learn_frames": 65536 + 30, "probation_frames": 65536, "budget": 65536 + 70, "memory": "large",
+                            "mode": 256, "channels": 65537}.items():
+            with self.assertRaisesRegex(ValueError, name):
+                stadimeter.Board(320, 240, **{name: value})
+        with self.assertRaisesRegex(ValueError, "width"):
+            stadimeter.Board(65536 + 320, 240)
+        with self.assertRaises(ValueError):  # frames in which marks cannot be looked for
+            stadimeter.Board(4096, 240)
 
     def test_camera_faults_are_told_at_once(self):
         with tempfile.TemporaryDirectory() as folder:

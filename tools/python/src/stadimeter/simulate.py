@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 from . import _native as native
 from ._native import lib, status_name
 from .marks import camera, correct
-from .sgbm import MEMORY_PLANS, StereoSGBM_create, _aligned, _borrow, _frame
+from .sgbm import MEMORY_PLANS, StereoSGBM_create, _aligned, _borrow, _frame, _integer
 
 STATES = ("learning", "ok", "degraded")
 PHASES = ("idle", "look", "other", "confirm", "pick", "tune", "judge", "save", "probation", "recheck", "compare")
 OUTCOMES = ("none", "sound", "adopted", "corrected", "kept", "rolled back", "no marks", "no pose", "rig failed", "fault",
             "cancelled")
 FAULTS = ("none", "late", "black", "saturated", "flat", "frozen", "swapped", "marks", "range", "rig", "size", "camera",
-          "moving", "same")
+          "moving", "same", "match")
 _NOTHING, _FRAME, _MATCH, _SAVE = range(4)
 _FAILED = 2**31 - 1  # STAD_COST_FAILED
 # The bounds of the search: the matcher's memory is made for them.
@@ -83,15 +83,23 @@ class Simulation:
 class Board:
     """A board with two cameras, fed a pair at a time by frame(). Parameters as StereoSGBM_create(), those left out the sample's.
 
-    focal: px; without it marks are not looked for and only the monitor runs. stored: the record another board left."""
+    numDisparities and blockSize: 64 and 3 if left out. focal: px; without it marks are not looked for and only the monitor runs.
+    stored: the record another board left; it holds all parameters, so that none may be given beside it."""
 
-    def __init__(self, width: int, height: int, numDisparities: int = 64, blockSize: int = 3, *, channels: int = 1,
-                 focal: Optional[float] = None, center: Optional[Tuple[float, float]] = None, mode: int = 0,
+    def __init__(self, width: int, height: int, numDisparities: Optional[int] = None, blockSize: Optional[int] = None, *,
+                 channels: int = 1, focal: Optional[float] = None, center: Optional[Tuple[float, float]] = None, mode: int = 0,
                  memory: str = "fast", learn_frames: Optional[int] = None, probation_frames: Optional[int] = None,
                  budget: Optional[int] = None, cost: str = "bad", stored: Optional[bytes] = None, **parameters: int) -> None:
         if cost not in ("bad", "chow"):
             raise ValueError(f"cost = {cost!r}: bad or chow")
-        setup = self._setup(width, height, channels, mode, stored, numDisparities, blockSize, parameters)
+        if memory not in MEMORY_PLANS:
+            raise ValueError(f"memory = {memory!r}: {' or '.join(MEMORY_PLANS)}")
+        if mode not in range(4):
+            raise ValueError(f"mode = {mode!r}: 0 to 3")
+        width, height, channels = _integer("width", width), _integer("height", height), _integer("channels", channels)
+        given = {name: value for name, value in {"numDisparities": numDisparities, "blockSize": blockSize, **parameters}.items()
+                 if value is not None}
+        setup, self._sequence = self._setup(width, height, channels, mode, given) if stored is None else self._restored(stored, given)
         p = setup.params
         self._geometry = native.Geometry(width, height, channels, p.num_disparities, max(p.block_size, _MOST_BLOCK),
                                          max(p.p2, _MOST_P2), max(p.pre_filter_cap, _MOST_CAP), mode, MEMORY_PLANS[memory])
@@ -101,11 +109,11 @@ class Board:
                                       camera(focal or width, width, height, center))
         config.cost = int(cost == "chow")
         if learn_frames is not None:
-            config.monitor.learn_frames = learn_frames
+            config.monitor.learn_frames = _integer("learn_frames", learn_frames)
         if probation_frames is not None:
-            config.probation_frames = probation_frames
+            config.probation_frames = _integer("probation_frames", probation_frames)
         if budget is not None:
-            config.budget = budget
+            config.budget = _integer("budget", budget)
         self._calib = _aligned(native.CALIB_BYTES)
         self._refuse(lib.stad_calib_init(self._calib.ctypes.data, config, setup), "the calibration")
         self._match, self._evaluator = _aligned(native.MATCH_BYTES), _aligned(native.EVALUATOR_BYTES)
@@ -114,28 +122,33 @@ class Board:
                      "the matcher")
         self._work = _aligned(max(lib.stad_calib_frame_bytes(width, height), lib.stad_calib_evaluate_bytes(self._geometry)))
         self._held: Dict[int, Tuple[NDArray[np.uint8], NDArray[np.uint8]]] = {}
-        self._sequence, self._last_outcome, self._frame = 0, 0, -1
+        self._last_outcome, self._frame = 0, -1
         self.stored: Optional[bytes] = None
         self.runs: List[Run] = []
 
     @staticmethod
-    def _setup(width: int, height: int, channels: int, mode: int, stored: Optional[bytes], disparities: int, block: int,
-               parameters: Dict[str, int]) -> native.Setup:
+    def _restored(stored: bytes, given: Dict[str, int]) -> Tuple[native.Setup, int]:
+        """The setup of a record and its number, from which that of the next one goes on."""
+        if given:
+            raise ValueError(f"{', '.join(given)}: stored holds the parameters, none may be given beside it")
         setup, sequence = native.Setup(), ctypes.c_uint32()
-        if stored is not None:
-            if lib.stad_setup_unpack(stored, len(stored), setup, ctypes.byref(sequence)) != 0:
-                raise ValueError("stored: no good record")
-            return setup
-        sample = native.Params()
-        lib.stad_params_sample(sample, disparities, block, channels)
-        given = {"P1": sample.p1, "P2": sample.p2, "disp12MaxDiff": sample.disp12_max_diff, "preFilterCap": sample.pre_filter_cap,
-                 "uniquenessRatio": sample.uniqueness_ratio}
-        given.update(parameters)
-        matcher = StereoSGBM_create(numDisparities=disparities, blockSize=block, mode=mode, **given)
+        if lib.stad_setup_unpack(stored, len(stored), setup, ctypes.byref(sequence)) != 0:
+            raise ValueError("stored: no good record")
+        return setup, sequence.value
+
+    @staticmethod
+    def _setup(width: int, height: int, channels: int, mode: int, given: Dict[str, int]) -> Tuple[native.Setup, int]:
+        given = {"numDisparities": 64, "blockSize": 3, **given}
+        setup, sample = native.Setup(), native.Params()
+        lib.stad_params_sample(sample, _integer("numDisparities", given["numDisparities"]), _integer("blockSize", given["blockSize"]),
+                               channels)
+        others = {"P1": sample.p1, "P2": sample.p2, "disp12MaxDiff": sample.disp12_max_diff, "preFilterCap": sample.pre_filter_cap,
+                  "uniquenessRatio": sample.uniqueness_ratio}
+        matcher = StereoSGBM_create(mode=mode, **{**others, **given})
         setup.width, setup.height, setup.mode, setup.channels = width, height, mode, channels
         setup.params = native.Params(**matcher.params())
         lib.stad_rig_identity(setup.rig, width, height)
-        return setup
+        return setup, 0
 
     @staticmethod
     def _refuse(status: int, what: str) -> None:
