@@ -17,7 +17,7 @@ CC = os.environ.get("CC", "cc")
 NOT_RUN = [
     (r"cmake -S \. -B build\b", "build/ is the build under test"),
     (r"cmake --build build( |$)", "build/ is the build under test"),
-    (r"tools/demo|test/run|test/target/run", "the whole of it; run by hand and by the continuous check"),
+    (r"(UNITY_DIR=\S+ )?(tools/demo|test/run|test/target/run)", "the whole of it; run by hand and by the continuous check"),
     (r"cmake --preset|build-[a-z0-9-]+/", "boards and sanitizers have tiers of their own: target, fault"),
     (r"(STAD_DATA=(?:<[^>]*>|\S+) )?(python3 )?tools/(study|bench|count)/", "minutes to hours, some with scenes that are not here"),
     (r"pip install", "test_pip_install.sh and test_python.sh do"),
@@ -25,7 +25,7 @@ NOT_RUN = [
     (r"west |idf\.py ", "Zephyr and ESP-IDF are in no package"),
     (r"(SCENES=all )?test/(golden|versions)/|(\S*/)?stad-verify", "needs OpenCV; the golden and long tiers do"),
 ]
-COMMAND = re.compile(r"(STAD_DATA=(?:<[^>]*>|\S+) )?(build\S*/|tools/|test/|stad |cmake |python3 |pip |cc |west |idf\.py |make |git )")
+COMMAND = re.compile(r"((?:STAD_DATA|UNITY_DIR)=(?:<[^>]*>|\S+) )?(build\S*/|tools/|test/|stad |cmake |python3 |pip |cc |west |idf\.py |make |git )")
 # What stands for the reader's own files in some lines.
 SAMPLES = {"LEFT": "pair/left.png", "RIGHT": "pair/right.png", "disp.pfm": "pair/disp.pfm"}
 # For fragments of C: names that the text around them explains.
