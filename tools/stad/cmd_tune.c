@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../common/whole_file.h"
+#include "interrupt.h"
 #include "report.h"
 #include "report_make.h"
 #include "tool.h"
@@ -26,12 +27,13 @@ static const char help[] =
     "  --method ncg|ncg-paper|sd|hybrid|descent     (ncg)\n"
     "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
     "  --threshold PX       error above which a pixel is wrong (1)\n"
-    "  --max-evals N        distinct evaluations at most, 1..240 (100)\n"
+    "  --max-evals N        distinct evaluations at most, 1..240 (100); an interrupt ends the search after the one at\n"
+    "                       hand: what was found is written\n"
     "  --share N            frames whose winners are kept, 8 bytes a pixel each, the best N - 1 and the last:\n"
     "                       points that differ only in uniqueness_ratio or disp12_max_diff then need no matching\n"
     "                       (3; same result).\n"
     "                       For bad the search settles these two wherever it gets to: a third of its points\n"
-    "  --seed N             of the draws of hybrid, and of the crosses that end ncg and hybrid (0). The same\n"
+    "  --seed N             0..4294967295, of the draws of hybrid, and of the crosses that end ncg and hybrid (0). The same\n"
     "                       seed and costs give the same search on every machine\n"
     "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), "
     "values laid over;\n"
@@ -39,7 +41,7 @@ static const char help[] =
     "                       every point have a block of up to 21\n"
     "  --free NAME,...      what may vary "
     "(p1,p2,block_size,uniqueness_ratio,pre_filter_cap,disp12_max_diff)\n"
-    "  --json OUT           start, best and the trace of costs\n"
+    "  --json OUT           how it was searched, start, best, and the trace: [evaluation, cost, best so far, point]\n"
     "  --header OUT.h       the best parameters as C\n"
     "  --report OUT.html    before and after, to look at: one file\n"
     "  --focal PX, --center X,Y                     of both cameras, for --fiducials (the middle)\n"
@@ -179,7 +181,7 @@ static int take(tune_job *j, int code, tool_fail *f)
     case OPT_SHARE:
         return tool_whole("share", optarg, 0, STAD_TUNE_LOG, &j->share, f);
     case OPT_SEED:
-        return tool_whole("seed", optarg, 0, INT32_MAX, &j->seed, f);
+        return tool_whole("seed", optarg, 0, UINT32_MAX, &j->seed, f);
     case OPT_START:
         return each_part(optarg, take_start, j, f);
     case OPT_FREE:
@@ -291,6 +293,8 @@ static int work(tune_job *j, tool_fail *f)
         status = report_tune(j->report, j->command, &j->rig, j, f);
     if (status == TOOL_OK)
         tune_print(j);
+    if (status == TOOL_OK && j->stopped[0])
+        status = tool_fail_set(f, 128 + interrupt_seen(), "%s", j->stopped);
     return status;
 }
 

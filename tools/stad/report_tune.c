@@ -117,15 +117,18 @@ static void search(report *r, const tune_job *j)
 
 static void verdict(report *r, const tune_job *j)
 {
+    char gain[60], n[40];
+    if (j->stopped[0])
+        fprintf(r->to, "<p><strong>The search was %s.</strong></p>\n", j->stopped);
     fprintf(r->to,
-            "<p><strong>%s: %.3f %% before, %.3f %% after</strong>, %.1f %% lower, with %d evaluations of "
+            "<p><strong>%s: %.3f %% before, %.3f %% after</strong>, %s, with %s of "
             "method %s in %.1f s, mode "
             "%s, %d scene%s.</p>\n<p class=\"soft\">Measured on what it was tuned on. Whether it holds "
             "elsewhere, other scenes must "
             "say: <code>stad match --params</code> and <code>stad eval</code>.</p>\n",
-            tune_cost_name(j->how.cost), 100 * j->first.cost, 100 * j->best.cost,
-            j->first.cost > 0 ? 100 * (1 - j->best.cost / j->first.cost) : 0.0, stad_tune_counts_of(&j->tune).evaluations,
-            tune_method_name(j->method), j->seconds, params_mode_name(j->how.mode), j->set.count, j->set.count == 1 ? "" : "s");
+            tune_cost_name(j->how.cost), 100 * j->first.cost, 100 * j->best.cost, tune_gain(gain, sizeof gain, j),
+            tune_evaluations(n, sizeof n, j), tune_method_name(j->method), j->seconds, params_mode_name(j->how.mode),
+            j->set.count, j->set.count == 1 ? "" : "s");
 }
 
 /* `stad match` with what was found, for the first scene. */

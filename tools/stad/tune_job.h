@@ -30,8 +30,9 @@ typedef struct tune_job {
     scoring how;
     scene_set set;
     stad_tune tune;
-    tune_point first, best;
+    tune_point first, best; /* best: the start itself unless something costs less */
     double seconds;
+    char stopped[80]; /* why the search did not come to its end; "" when it did */
 } tune_job;
 
 const char *tune_method_name(int method);
@@ -42,8 +43,15 @@ int tune_cost_of(const char *name);
 /* Which field of stad_params a coordinate of the search is. */
 int tune_field(int dim);
 
-/* The search itself: reads the scenes, evaluates, fills first, best and seconds. */
+/* The search itself: reads the scenes, evaluates, fills first, best and seconds. A signal ends it after the evaluation at hand:
+ * TOOL_OK, and `stopped` says so. */
 int tune_search(tune_job *j, tool_fail *f);
+
+/* By how much the best is lower than the start: "3.1 % lower", or that nothing is. */
+const char *tune_gain(char *text, size_t room, const tune_job *j);
+
+/* "1 evaluation", "2 evaluations" */
+const char *tune_evaluations(char *text, size_t room, const tune_job *j);
 
 void tune_print(const tune_job *j);
 int tune_write_json(const tune_job *j, tool_fail *f);

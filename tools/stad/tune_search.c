@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * stad/tune_search.c - the loop of `stad tune`: ask, match, score, tell. */
 #include <limits.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "interrupt.h"
 #include "tool.h"
 #include "tune_job.h"
 
@@ -197,21 +199,20 @@ static int take_start(tune_job *j, const stad_point *x, int32_t *cost_q20, tool_
     return describe(j, x, *cost_q20, &j->first, f);
 }
 
-static void show_progress(const tune_job *j)
+static void show_progress(const tune_job *j, int32_t best)
 {
-    int32_t best;
     stad_tune_counts n = stad_tune_counts_of(&j->tune);
-    if (stad_tune_best(&j->tune, NULL, &best) == STAD_OK)
-        progress_line("%3d / %d evaluations, %s %.3f %%", n.evaluations, j->tune.config.budget, tune_cost_name(j->how.cost),
-                      100.0 * best / STAD_COST_ONE);
+    progress_line("%3d / %d evaluations, %s %.3f %%", n.evaluations, j->tune.config.budget, tune_cost_name(j->how.cost),
+                  100.0 * best / STAD_COST_ONE);
 }
 
-/* Asks, evaluates and tells until the search ends. The best is the earliest of equals; its maps are kept. */
+/* Asks, evaluates and tells until the search ends, or a signal ends it. The start as it was given, which the lattice may not
+ * hold, is the best until something costs less; of equals the earliest. The maps of the best are kept. */
 static int run(tune_job *j, const stad_point *start, int32_t start_cost, tool_fail *f)
 {
-    int32_t best = STAD_COST_FAILED;
+    int32_t best = start_cost;
     stad_point x, best_x = *start;
-    while (stad_tune_ask(&j->tune, &x) == 1) {
+    while (!interrupt_seen() && stad_tune_ask(&j->tune, &x) == 1) {
         const int known = memcmp(&x, start, sizeof x) == 0;
         int32_t cost = start_cost;
         int status = known ? TOOL_OK : cost_at(j, &x, &cost, f);
@@ -221,13 +222,10 @@ static int run(tune_job *j, const stad_point *start, int32_t start_cost, tool_fa
         if (cost < best) {
             best = cost;
             best_x = x;
-            if (!known)
-                keep_all(j);
+            keep_all(j);
         }
-        show_progress(j);
+        show_progress(j, best);
     }
-    if (best == STAD_COST_FAILED)
-        return tool_fail_set(f, TOOL_USAGE, "no point could be scored");
     return describe(j, &best_x, best, &j->best, f);
 }
 
@@ -238,11 +236,16 @@ int tune_search(tune_job *j, tool_fail *f)
     int status = prepare(j, f);
     if (status)
         return status;
+    interrupt_watch();
     stad_point start = point_of(&j->set.scene[0].base);
     status = take_start(j, &start, &cost, f);
     if (status == TOOL_OK)
         status = run(j, &start, cost, f);
+    if (status == TOOL_OK && interrupt_seen())
+        snprintf(j->stopped, sizeof j->stopped, "interrupted after %d of %d evaluations",
+                 stad_tune_counts_of(&j->tune).evaluations, j->tune.config.budget);
     j->seconds = tool_seconds() - begin;
+    interrupt_leave();
     progress_end();
     return status;
 }
