@@ -22,6 +22,7 @@ typedef struct story_world {
     float *view[STORY_POSES][2]; /* as the lens makes them, left and right */
     int32_t *truth_q16[STORY_POSES];
     uint8_t *rest[STORY_POSES]; /* labels outside the target */
+    float *copy[2];             /* a frame while it is exposed */
     int disturbed;              /* 1: right camera turned and shifted, dim and noisy light */
     target_random random;
 } story_world;
@@ -32,8 +33,8 @@ typedef struct story_frame {
 } story_frame;
 
 target_camera story_camera(int disturbed);
-/* Renders the first `poses` of them. */
-void story_world_make(story_world *w, int disturbed, int poses, unsigned seed);
+/* Renders the first `poses` of them. `w` is all zeros before. */
+int story_world_make(story_world *w, int disturbed, int poses, unsigned seed, tool_fail *f);
 void story_world_free(story_world *w);
 
 /* A frame as the sensors give it: frame->left and ->right are written, which the caller has allocated. */
@@ -52,7 +53,8 @@ typedef struct story_board {
     stad_evaluator evaluator;
     void *work;
     size_t work_bytes;
-    story_frame held[2];
+    story_frame held[2], fresh; /* what the calibration keeps; what it looks at once */
+    picture corrected;
     int matches, frames, saves;
 } story_board;
 
@@ -63,8 +65,8 @@ void story_board_free(story_board *b);
 /* The right view through a correction, into `out` (allocated). */
 void story_correct(const stad_rig *rig, const picture *right, picture *out);
 
-/* One live frame: matched with the setup in use, its counters told. Returns the monitor's answer. */
-int story_board_live(story_board *b, const story_frame *frame);
+/* One live frame: matched with the setup in use, its counters told. */
+int story_board_live(story_board *b, const story_frame *frame, tool_fail *f);
 
 /* One turn of the pump: does what is wanted, with frames of the world. Returns what was wanted. */
 int story_board_turn(story_board *b, story_world *w);
@@ -83,8 +85,8 @@ typedef struct story_fault {
 /* The board from reset, and a run in front of cameras with fault `kind` to its end. A negative status: no setup. */
 int story_fault_of(story_board *b, story_world *w, int kind, story_frame *frame, story_fault *told);
 
-/* Bad share outside the target, percent, of a setup on a frame; the disparities go to *d unless NULL. */
-double story_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_params *p, const stad_rig *rig,
-                 disparity *d);
+/* Bad share outside the target, percent, of a setup on a frame, added to *bad; the disparities go to *d. */
+int story_add_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_setup *setup, disparity *d,
+                  double *bad, tool_fail *f);
 
 #endif

@@ -68,9 +68,10 @@ static int take_memory(story_board *b, tool_fail *f)
     b->work_bytes = (frame > match ? frame : match) / STAD_ALIGN * STAD_ALIGN + STAD_ALIGN;
     if (posix_memalign(&b->work, STAD_ALIGN, b->work_bytes) != 0)
         return tool_fail_set(f, TOOL_FILE, "no memory");
-    for (int i = 0; i < 2; i++)
-        if (picture_alloc(&b->held[i].left, STORY_WIDTH, STORY_HEIGHT, 1, f) != TOOL_OK ||
-            picture_alloc(&b->held[i].right, STORY_WIDTH, STORY_HEIGHT, 1, f) != TOOL_OK)
+    picture *const pictures[] = {&b->held[0].left, &b->held[0].right, &b->held[1].left, &b->held[1].right,
+                                 &b->fresh.left,   &b->fresh.right,   &b->corrected};
+    for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++)
+        if (picture_alloc(pictures[i], STORY_WIDTH, STORY_HEIGHT, 1, f) != TOOL_OK)
             return f->status;
     return engine_open(&b->engine, &b->geometry, f);
 }
@@ -95,6 +96,9 @@ void story_board_free(story_board *b)
 {
     engine_close(&b->engine);
     free(b->work);
+    picture_free(&b->fresh.left);
+    picture_free(&b->fresh.right);
+    picture_free(&b->corrected);
     for (int i = 0; i < 2; i++) {
         picture_free(&b->held[i].left);
         picture_free(&b->held[i].right);
@@ -110,50 +114,42 @@ void story_correct(const stad_rig *rig, const picture *right, picture *out)
         stad_rig_row(rig, &raw, y, out->pix + (size_t)y * (size_t)raw.width);
 }
 
-static int match(story_board *b, const story_frame *frame, const stad_params *p, const stad_rig *rig, disparity *d)
+static int match(story_board *b, const story_frame *frame, const stad_params *p, const stad_rig *rig, disparity *d, tool_fail *f)
 {
-    tool_fail f = {TOOL_OK, ""};
-    picture corrected;
-    if (picture_alloc(&corrected, STORY_WIDTH, STORY_HEIGHT, 1, &f) != TOOL_OK)
-        return f.status;
-    story_correct(rig, &frame->right, &corrected);
-    int status = engine_run(&b->engine, p, &frame->left, &corrected, d, NULL, &f);
-    picture_free(&corrected);
-    return status;
+    story_correct(rig, &frame->right, &b->corrected);
+    return engine_run(&b->engine, p, &frame->left, &b->corrected, d, NULL, f);
 }
 
-int story_board_live(story_board *b, const story_frame *frame)
+int story_board_live(story_board *b, const story_frame *frame, tool_fail *f)
 {
     disparity d;
     const stad_setup *setup = stad_calib_setup(&b->calib);
     memset(&d, 0, sizeof d);
-    if (match(b, frame, &setup->params, &setup->rig, &d) != TOOL_OK)
-        return STAD_E_PARAM;
+    int status = match(b, frame, &setup->params, &setup->rig, &d, f);
     disparity_free(&d);
+    if (status != TOOL_OK)
+        return status;
     b->frames++;
-    return stad_calib_counts(&b->calib, stad_match_counts_of(&b->engine.match));
+    stad_calib_counts(&b->calib, stad_match_counts_of(&b->engine.match));
+    return TOOL_OK;
 }
 
-double story_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_params *p, const stad_rig *rig,
-                 disparity *out)
+int story_add_bad(story_board *b, const story_world *w, const story_frame *frame, const stad_setup *setup, disparity *d,
+                  double *bad, tool_fail *f)
 {
-    disparity d;
     stad_score score;
     stad_score_config config;
-    memset(&d, 0, sizeof d);
-    if (match(b, frame, p, rig, &d) != TOOL_OK)
-        return -1;
+    const stad_params *p = &setup->params;
+    if (match(b, frame, p, &setup->rig, d, f) != TOOL_OK)
+        return f->status;
     stad_score_config_init(&config, STAD_SCORE_BAD, p->min_disparity, p->num_disparities);
     stad_score_begin(&score, &config);
     for (int y = 0; y < STORY_HEIGHT; y++) {
         const ptrdiff_t at = (ptrdiff_t)y * STORY_WIDTH;
-        stad_score_row(&score, y, d.q4 + at, w->truth_q16[frame->pose] + at, w->rest[frame->pose] + at, STORY_WIDTH);
+        stad_score_row(&score, y, d->q4 + at, w->truth_q16[frame->pose] + at, w->rest[frame->pose] + at, STORY_WIDTH);
     }
-    if (out)
-        *out = d;
-    else
-        disparity_free(&d);
-    return 100.0 * stad_score_end(&score) / STAD_COST_ONE;
+    *bad += 100.0 * stad_score_end(&score) / STAD_COST_ONE;
+    return TOOL_OK;
 }
 
 /* -- the pump ---------------------------------------------------------------------------------------------------- */
@@ -178,22 +174,13 @@ int story_board_turn(story_board *b, story_world *w)
     stad_request r;
     int want = stad_calib_want(&b->calib, &r);
     if (want == STAD_WANT_FRAME) {
-        story_frame *frame = &b->held[r.hold];
-        story_frame spare = b->held[0];
-        if (b->calib.report.phase == STAD_CALIB_CONFIRM) { /* held pairs stay as they are */
-            tool_fail f;
-            picture_alloc(&spare.left, STORY_WIDTH, STORY_HEIGHT, 1, &f);
-            picture_alloc(&spare.right, STORY_WIDTH, STORY_HEIGHT, 1, &f);
-            frame = &spare;
-        }
+        /* Held pairs stay as they are while a correction is confirmed. */
+        const int confirms = stad_calib_report_of(&b->calib)->phase == STAD_CALIB_CONFIRM;
+        story_frame *frame = confirms ? &b->fresh : &b->held[r.hold];
         story_expose(w, pose_for(&b->calib), frame);
         const stad_image left = picture_view(&frame->left), right = picture_view(&frame->right);
         stad_calib_frame(&b->calib, &left, &right, b->work, b->work_bytes);
         b->frames++;
-        if (frame == &spare) {
-            picture_free(&spare.left);
-            picture_free(&spare.right);
-        }
     } else if (want == STAD_WANT_MATCH) {
         const story_frame *frame = &b->held[r.hold];
         const stad_image left = picture_view(&frame->left), right = picture_view(&frame->right);

@@ -45,30 +45,34 @@ static int write_maps(telling *t, const chapter *c, disparity *d, const story_fr
 }
 
 /* Mean over five frames of the bad share outside the target; the last one's map is kept. */
-static int look(telling *t, chapter *c, const char *name, story_world *w, const stad_params *p, const stad_rig *rig)
+static int look(telling *t, chapter *c, const char *name, story_world *w, const stad_setup *setup)
 {
     disparity d;
+    int status = TOOL_OK;
     c->name = name;
     c->bad = 0;
     memset(&d, 0, sizeof d);
-    for (int i = 0; i < 5; i++) {
-        disparity_free(&d);
+    for (int i = 0; i < 5 && status == TOOL_OK; i++) {
         story_expose(w, 0, &t->frame);
-        c->bad += story_bad(&t->board, w, &t->frame, p, rig, &d) / 5;
+        status = story_add_bad(&t->board, w, &t->frame, setup, &d, &c->bad, &t->fail);
     }
-    printf("%-10s %5.1f %% of the scene outside the target is wrong or missing\n", name, c->bad);
-    int status = write_maps(t, c, &d, &t->frame);
+    c->bad /= 5;
+    if (status == TOOL_OK) {
+        printf("%-10s %5.1f %% of the scene outside the target is wrong or missing\n", name, c->bad);
+        status = write_maps(t, c, &d, &t->frame);
+    }
     disparity_free(&d);
     return status;
 }
 
-/* Live frames until the board asks for something. Returns how many. */
+/* Live frames until the board asks for something. Returns how many, or -1. */
 static int watch(telling *t, story_world *w, int most)
 {
     stad_request r;
     for (int i = 1; i <= most; i++) {
         story_expose(w, 0, &t->frame);
-        story_board_live(&t->board, &t->frame);
+        if (story_board_live(&t->board, &t->frame, &t->fail) != TOOL_OK)
+            return -1;
         if (stad_calib_want(&t->board.calib, &r) != STAD_WANT_NOTHING)
             return i;
     }
@@ -88,7 +92,7 @@ static void tell_params(const char *what, const stad_params *p)
 }
 
 /* Turns the pump until it rests, with live frames where it watches. */
-static void work(telling *t, story_world *w)
+static int work(telling *t, story_world *w)
 {
     int phase = -1;
     for (int i = 0; i < 2000 && stad_calib_report_of(&t->board.calib)->phase != STAD_CALIB_IDLE; i++) {
@@ -96,9 +100,10 @@ static void work(telling *t, story_world *w)
         if (r->phase != phase && r->phase == STAD_CALIB_PROBATION)
             printf("  on probation\n");
         phase = r->phase;
-        if (story_board_turn(&t->board, w) == STAD_WANT_NOTHING)
-            watch(t, w, 1);
+        if (story_board_turn(&t->board, w) == STAD_WANT_NOTHING && watch(t, w, 1) < 0)
+            return t->fail.status;
     }
+    return TOOL_OK;
 }
 
 /* Cameras that fail, one after the other. Returns 1 when each was told and nothing adopted. */
@@ -152,16 +157,18 @@ static int tell(telling *t)
     stad_calib *c = &t->board.calib;
     stad_setup factory = *stad_calib_setup(c);
     printf("a board with sound cameras in good light learns what is usual\n");
-    watch(t, &t->healthy, 60);
-    if (look(t, &t->healthy_map, "healthy", &t->healthy, &factory.params, &factory.rig) != TOOL_OK)
+    if (watch(t, &t->healthy, 60) < 0 || look(t, &t->healthy_map, "healthy", &t->healthy, &factory) != TOOL_OK)
         return t->fail.status;
     printf("\nthe right camera is knocked (1.1 px, 0.45 degrees, 0.2 %%) and the light goes\n");
     int frames = watch(t, &t->disturbed, 40);
+    if (frames < 0)
+        return t->fail.status;
     printf("  alarm after %d frames\n", stad_calib_report_of(c)->alarmed ? frames : -1);
-    if (look(t, &t->disturbed_map, "disturbed", &t->disturbed, &factory.params, &factory.rig) != TOOL_OK)
+    if (look(t, &t->disturbed_map, "disturbed", &t->disturbed, &factory) != TOOL_OK)
         return t->fail.status;
     printf("\nthe board looks for marks, checks the rig, tunes, judges on another pose\n");
-    work(t, &t->disturbed);
+    if (work(t, &t->disturbed) != TOOL_OK)
+        return t->fail.status;
     stad_calib_report r = *stad_calib_report_of(c);
     stad_setup adopted = *stad_calib_setup(c);
     printf("  rig %s -> %s, %d evaluations", verdict_name(r.verdict_before), verdict_name(r.verdict_after), r.evaluations);
@@ -170,8 +177,10 @@ static int tell(telling *t)
     printf("; outcome: %s\n", calib_outcome_name(r.outcome));
     tell_params("before", &factory.params);
     tell_params("after ", &adopted.params);
-    if (look(t, &t->corrected_map, "corrected", &t->disturbed, &factory.params, &adopted.rig) != TOOL_OK ||
-        look(t, &t->after_map, "after", &t->disturbed, &adopted.params, &adopted.rig) != TOOL_OK)
+    stad_setup corrected = adopted;
+    corrected.params = factory.params;
+    if (look(t, &t->corrected_map, "corrected", &t->disturbed, &corrected) != TOOL_OK ||
+        look(t, &t->after_map, "after", &t->disturbed, &adopted) != TOOL_OK)
         return t->fail.status;
     int slot = story_board_reset(&t->board);
     int restored = slot >= 0 && slot != STAD_SLOT_FACTORY && memcmp(&adopted, stad_calib_setup(c), sizeof adopted) == 0;
@@ -208,12 +217,12 @@ int main(int argc, char **argv)
     }
     if (check_folder(&t) != TOOL_OK || story_board_start(&t.board, &t.fail) != TOOL_OK ||
         picture_alloc(&t.frame.left, STORY_WIDTH, STORY_HEIGHT, 1, &t.fail) != TOOL_OK ||
-        picture_alloc(&t.frame.right, STORY_WIDTH, STORY_HEIGHT, 1, &t.fail) != TOOL_OK) {
+        picture_alloc(&t.frame.right, STORY_WIDTH, STORY_HEIGHT, 1, &t.fail) != TOOL_OK ||
+        story_world_make(&t.healthy, 0, 1, 11, &t.fail) != TOOL_OK ||
+        story_world_make(&t.disturbed, 1, STORY_POSES, 12, &t.fail) != TOOL_OK) {
         fprintf(stderr, "stad-story: %s\n", t.fail.text);
         return t.fail.status;
     }
-    story_world_make(&t.healthy, 0, 1, 11);
-    story_world_make(&t.disturbed, 1, STORY_POSES, 12);
     int status = tell(&t);
     if (t.fail.text[0])
         fprintf(stderr, "stad-story: %s\n", t.fail.text);
