@@ -15,7 +15,7 @@ extern "C" {
 enum stad_status {
     STAD_OK = 0,
     STAD_AGAIN = -1,     /* nothing ready yet: do the other half first (push before pull, pull before push) */
-    STAD_E_PARAM = -2,   /* a parameter is outside its domain; the call names it */
+    STAD_E_PARAM = -2,   /* a value is outside its domain; calls with a culprit name it */
     STAD_E_SIZE = -3,    /* an image, a buffer or a workspace has the wrong size or alignment */
     STAD_E_STATE = -4,   /* the call does not fit the state of the object */
     STAD_E_LIMIT = -5,   /* a valid request above what the geometry reserved memory for */
