@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * proof/prove_evaluate.c - one evaluation: any request for any box of a frame of 16 x 16 px, 1 or 3 channels, corrected or not; frames of
  * any size, any workspace, a matcher that answers anything.
- * SOURCES: calib/evaluate.c
+ * SOURCES: calib/evaluate.c calib/health.c
  * OPTIONS: -eva-min-loop-unroll 17
  * The matcher, the score, truth and correction touch the ends of what they may: that it is no more is proved of each. */
 #include "calib/calib_parts.h"
