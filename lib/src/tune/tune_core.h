@@ -4,7 +4,8 @@
  * A method is written as one plain function from the start to the end of the search. It gets costs from stad_tune_look();
  * when the log has no answer it returns at once, and after the next tell it runs again from the start: everything it did
  * before is answered from the log, so it comes by the same path to the same place and goes on. The state of a search is
- * therefore its log and nothing else. A rerun is a few thousand integer operations: nothing beside scoring a frame. */
+ * therefore its log and nothing else. A rerun is some hundred thousand integer operations late in a search: little beside scoring
+ * a frame. */
 #ifndef STAD_TUNE_CORE_H
 #define STAD_TUNE_CORE_H
 

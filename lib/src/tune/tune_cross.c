@@ -7,6 +7,7 @@
  * left to gain. A draw depends on the log and on its length alone, so a rerun need not repeat it. */
 #include "tune/tune_cross.h"
 #include "tune/tune_random.h"
+#include "base/arith.h"
 
 #define PARENTS 24
 #define FIRST   12 /* of them, as long as they give something new */
@@ -16,9 +17,10 @@
 #define NEAR    2800 /* 3 percent, Q16 of an octave */
 
 typedef struct parents {
-    uint8_t entry[PARENTS]; /* of the log, the best first; STAD_TUNE_LOG <= 255 */
+    uint8_t entry[PARENTS]; /* of the log, the best first */
     int count;
 } parents;
+typedef char entries_fit[STAD_TUNE_LOG <= 255 ? 1 : -1];
 
 /* Puts log entry i where its cost belongs, if it belongs among the best. */
 static void offer(const stad_tune *t, parents *p, int i)
@@ -35,11 +37,7 @@ static void offer(const stad_tune *t, parents *p, int i)
     p->entry[at] = (uint8_t)i;
 }
 
-static int32_t held(int64_t v)
-{
-    const int32_t most = STAD_TUNE_UNITS * TUNE_ONE; /* of linear variables; all others are far below */
-    return v > most ? most : v < -most ? -most : (int32_t)v;
-}
+#define MOST (STAD_TUNE_UNITS * TUNE_ONE) /* of linear variables; all others are far below */
 
 /* Coordinate i of `base` moved by what leads from b to a. */
 static int32_t moved(const stad_tune *t, int i, const tune_vars *base, const tune_vars *a, const tune_vars *b)
@@ -47,8 +45,8 @@ static int32_t moved(const stad_tune *t, int i, const tune_vars *base, const tun
     if (!stad_tune_is_free(&t->config, i))
         return base->v[i]; /* of any value, 0 included */
     if (t->config.axis[i].scale == STAD_TUNE_POWER)
-        return base->v[i] * a->v[i] / b->v[i]; /* up to 2^30: powers of two up to 2^14 */
-    return held((int64_t)base->v[i] + a->v[i] - b->v[i]);
+        return base->v[i] * a->v[i] / b->v[i]; /* values of int16: up to 2^30 */
+    return clamp_i64((int64_t)base->v[i] + a->v[i] - b->v[i], -MOST, MOST);
 }
 
 /* Among the first `count` parents: half of the draws start at the best; half of the variables move, and one surely. */

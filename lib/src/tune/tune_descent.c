@@ -11,7 +11,7 @@
 #define REACH_LEAST (TUNE_ONE / 8)
 #define ITERATIONS  30
 
-/* The axes in the order that lets a matcher keep most of its work between probes. */
+/* The sweeps' order: what the matching cost is made of, how it is spread, what is kept of it. */
 static const uint8_t sweep_order[STAD_TUNE_DIMS] = {STAD_TUNE_PRE_FILTER_CAP,   STAD_TUNE_P1,         STAD_TUNE_P2,
                                                     STAD_TUNE_UNIQUENESS_RATIO, STAD_TUNE_BLOCK_SIZE, STAD_TUNE_DISP12_MAX_DIFF};
 

@@ -3,9 +3,10 @@
  *
  * p1 and p2 are walked as log2(v / block^1.5): what makes a smoothness penalty large or small is its ratio to the matching
  * cost, which grows with the block. Held so, a poll of the block size compares like with like. */
-#include "base/log.h"
 #include "tune/tune_core.h"
+#include "base/arith.h"
 #include "base/divide.h"
+#include "base/log.h"
 
 #define HALF_OCTAVE (TUNE_ONE / 2)
 
@@ -30,19 +31,14 @@ static int32_t area_q16(int32_t block)
     return block < 1 ? 0 : 3 * stad_log2_q16((uint32_t)block) / 2;
 }
 
-static int32_t clip(int64_t v, int32_t lo, int32_t hi)
-{
-    return v < lo ? lo : v > hi ? hi : (int32_t)v;
-}
-
 /* The variable of integer `value` on axis i. */
 static int32_t variable_of(const stad_tune_config *c, int i, int32_t value, int32_t block)
 {
     const stad_tune_axis *a = &c->axis[i];
     switch (a->scale) {
     case STAD_TUNE_LINEAR:
-        return clip(stad_div_i64((int64_t)value * TUNE_ONE, a->unit), -STAD_TUNE_UNITS * TUNE_ONE,
-                    STAD_TUNE_UNITS * TUNE_ONE); /* clips fixed ones alone */
+        return clamp_i64(stad_div_i64((int64_t)value * TUNE_ONE, a->unit), -STAD_TUNE_UNITS * TUNE_ONE,
+                         STAD_TUNE_UNITS * TUNE_ONE); /* clips fixed ones alone */
     case STAD_TUNE_LOG2:
         return stad_log2_q16((uint32_t)(value < 1 ? 1 : value));
     case STAD_TUNE_AREA:
@@ -73,17 +69,17 @@ static int64_t value_of(const stad_tune_config *c, int i, int32_t v, int32_t blo
 /* An integer to the nearest one that axis a asks for. */
 static int32_t continuous_value(const stad_tune_axis *a, int64_t value)
 {
-    const int32_t v = clip(value, a->lo, a->hi);
+    const int32_t v = clamp_i64(value, a->lo, a->hi);
     if (a->scale == STAD_TUNE_LINEAR || a->unit == 1)
         return v;
     const int32_t up = (v - a->lo + a->unit / 2) / a->unit * a->unit + a->lo;
     return up <= a->hi ? up : up - a->unit;
 }
 
-/* Discrete values to the nearest allowed one at or below, so that no poll can leave the lattice. */
+/* A discrete value into its range, an even one of ODD to the next odd one, the lower at the upper end. */
 static int32_t discrete_value(const stad_tune_axis *a, int32_t value)
 {
-    value = clip(value, a->lo, a->hi);
+    value = clamp_i64(value, a->lo, a->hi);
     if (a->scale == STAD_TUNE_ODD && value % 2 == 0)
         value += value < a->hi ? 1 : -1;
     return value;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * tune/tune_wolfe_search.c - central differences and the strong Wolfe line search of tune_wolfe.c. */
 #include "tune/tune_wolfe.h"
+#include "base/arith.h"
 
 #include <string.h>
 
@@ -11,18 +12,13 @@ static int32_t rounded(int32_t q16)
     return q16 >= 0 ? (q16 + TUNE_ONE / 2) / TUNE_ONE : -((TUNE_ONE / 2 - q16) / TUNE_ONE);
 }
 
-static int32_t held(int32_t v, int32_t lo, int32_t hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
 static void to_lattice(const stad_tune *t, const int32_t *z, stad_point *x)
 {
     tune_vars v;
     for (int i = 0; i < STAD_TUNE_DIMS; i++) {
         const int scale = t->config.axis[i].scale;
-        v.v[i] = scale == STAD_TUNE_ODD     ? 2 * held(rounded(z[i]), 0, 16383) + 1
-                 : scale == STAD_TUNE_POWER ? 1 << held(rounded(z[i]), 0, 14)
+        v.v[i] = scale == STAD_TUNE_ODD     ? 2 * clamp_i32(rounded(z[i]), 0, 16383) + 1
+                 : scale == STAD_TUNE_POWER ? 1 << clamp_i32(rounded(z[i]), 0, 14)
                                             : z[i];
     }
     stad_tune_to_point(t, &v, x);
