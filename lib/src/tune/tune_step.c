@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * slopes -> [STEP] -> points         tune/tune_step.c - a joint step along the scaled conjugate direction (PR+).
  *
- * Scaling by the curvature that the probes gave is what makes the step good; beta adds little (docs/TUNING.md). */
+ * Scaling by the curvature that the probes gave makes the step good; beta adds little (docs/TUNING.md, Ablation). */
 #include "tune/tune_switches.h"
 #include "tune/tune_walk.h"
 #include "base/arith.h"
