@@ -171,6 +171,83 @@ void test_store_cut_at_every_byte_leaves_old_or_new(void)
     TEST_ASSERT_GREATER_THAN(1000, cuts);
 }
 
+/* Saves with a cut at every byte while some reads fail. Done is what loads, whichever fail; what loads after a cut is the old set
+ * or the new one unless a slot failed twice running. Returns the number of cut points. */
+static long cut_while_reads_slip(enum history h, enum sim_tear tear, uint32_t slips)
+{
+    const int twice = (slips & slips >> 1) != 0;
+    for (long cut = 0;; cut++) {
+        snprintf(why, sizeof why, "history %d tear %d slips %#x cut %ld", (int)h, (int)tear, (unsigned)slips, cut);
+        prepare(&sim, h, 8, (uint32_t)(977 * cut + 13 * (long)h + 1));
+        sim.tear = tear;
+        int before = loaded(&sim);
+        sim.cut_at = cut;
+        sim.slips = slips;
+        int status = save(&sim, 51), finished = !sim.dead;
+        sim_restart(&sim);
+        if (status >= 0)
+            TEST_ASSERT_EQUAL_MESSAGE(51, loaded(&sim), why);
+        else if (!twice)
+            expect_old_or_new(&sim, before, 51, "save");
+        TEST_ASSERT_EQUAL_MESSAGE(0, sim.violations, why);
+        if (finished)
+            return cut;
+    }
+}
+
+void test_store_cut_while_reads_fail_leaves_old_or_new(void)
+{
+    long cuts = 0;
+    for (int h = 0; h < HISTORIES; h++)
+        for (int tear = 0; tear < TEAR_KINDS; tear++)
+            for (uint32_t slips = 1; slips < 64; slips++) /* a save reads six times at most */
+                cuts += cut_while_reads_slip((enum history)h, (enum sim_tear)tear, slips);
+    printf("store: %ld cut points with failing reads\n", cuts);
+}
+
+void test_store_slip_of_the_only_good_slot_does_not_outlast_the_save(void)
+{
+    prepare(&sim, ONE_SAVE, 8, 1);
+    sim.slips = 3; /* both reads of slot A, the good one */
+    TEST_ASSERT_EQUAL(STAD_SLOT_B, save(&sim, 51));
+    TEST_ASSERT_EQUAL(51, loaded(&sim));
+}
+
+void test_store_slip_in_a_load_still_finds_the_newest(void)
+{
+    prepare(&sim, TWO_SAVES, 8, 1);
+    for (int k = 0; k < 4; k++) {
+        sim.slips = 1u << k;
+        TEST_ASSERT_EQUAL(TWO_SAVES, loaded(&sim));
+    }
+}
+
+void test_store_unreadable_slot_is_given_up_for_a_good_one(void)
+{
+    prepare(&sim, TWO_SAVES, 8, 1);
+    sim.slips = 3; /* both reads of slot A, the older */
+    TEST_ASSERT_EQUAL(STAD_SLOT_A, save(&sim, 51));
+    TEST_ASSERT_EQUAL(51, loaded(&sim));
+}
+
+void test_store_overlapping_sectors_are_refused(void)
+{
+    prepare(&sim, BLANK, 8, 1);
+    stad_setup setup = setup_of(1), found;
+    stad_flash f = sim_flash(&sim);
+    const uint32_t near[] = {0, 16, SIM_SECTOR - 1};
+    for (int slot = 0; slot < 3; slot++)
+        for (int other = 0; other < 3; other++)
+            for (int k = 0; k < 3 && other != slot; k++) {
+                f = sim_flash(&sim);
+                f.slot_offset[slot] = f.slot_offset[other] + near[k];
+                snprintf(why, sizeof why, "slot %d is %u after slot %d", slot, (unsigned)near[k], other);
+                TEST_ASSERT_EQUAL_MESSAGE(STAD_E_PARAM, stad_store_save(&f, &setup), why);
+                TEST_ASSERT_EQUAL_MESSAGE(STAD_E_PARAM, stad_store_load(&f, &found), why);
+            }
+    TEST_ASSERT_EQUAL(0, sim.wear[0] + sim.wear[1] + sim.wear[2]);
+}
+
 void test_store_random_bit_flips_are_never_accepted(void)
 {
     uint8_t good[STAD_SETUP_BYTES], bad[STAD_SETUP_BYTES];
@@ -270,6 +347,11 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_store_cut_at_every_byte_leaves_old_or_new);
+    RUN_TEST(test_store_cut_while_reads_fail_leaves_old_or_new);
+    RUN_TEST(test_store_slip_of_the_only_good_slot_does_not_outlast_the_save);
+    RUN_TEST(test_store_slip_in_a_load_still_finds_the_newest);
+    RUN_TEST(test_store_unreadable_slot_is_given_up_for_a_good_one);
+    RUN_TEST(test_store_overlapping_sectors_are_refused);
     RUN_TEST(test_store_random_bit_flips_are_never_accepted);
     RUN_TEST(test_store_every_single_and_double_flip_is_refused);
     RUN_TEST(test_store_flip_in_newest_falls_back_to_older);

@@ -26,6 +26,7 @@ typedef struct flash_sim {
     enum sim_tear tear;
     int stuck[3]; /* 1: the sector ignores erase and program, and says it obeyed */
     int unreadable[3];
+    uint32_t slips; /* bit k: the k-th read from now on fails */
     int refuses;    /* 1: program reports failure without touching anything */
     int wear[3];    /* erases */
     int violations; /* programs onto unblank bytes, or off the granule, or outside */
@@ -51,8 +52,9 @@ static inline int sim_power_goes(flash_sim *s)
 static inline int sim_read(void *user, uint32_t offset, void *bytes, uint32_t count)
 {
     flash_sim *s = (flash_sim *)user;
-    uint32_t sector = offset / SIM_SECTOR;
-    if (s->dead || sector > 2 || offset % SIM_SECTOR + count > SIM_SECTOR || s->unreadable[sector])
+    uint32_t sector = offset / SIM_SECTOR, slips = s->slips & 1u;
+    s->slips >>= 1;
+    if (slips || s->dead || sector > 2 || offset % SIM_SECTOR + count > SIM_SECTOR || s->unreadable[sector])
         return -1;
     memcpy(bytes, s->bytes[sector] + offset % SIM_SECTOR, count);
     return 0;
@@ -140,6 +142,7 @@ static inline void sim_restart(flash_sim *s)
     s->dead = 0;
     s->cut_at = -1;
     s->touched = 0;
+    s->slips = 0;
 }
 
 #endif

@@ -7,7 +7,7 @@
  *
  * little-endian whatever the machine; docs/STORE.md lists the fields. The newest good record wins; a slot that holds the only good
  * record is never erased, and a record is read back before the save is called done. Cut anywhere, a load finds the
- * old set or the new one.
+ * old set or the new one; a save that says done is what loads.
  *
  * Flash is reached through three functions of the caller's; nothing is kept between calls, nothing allocated. Not for two
  * tasks at once on the same slots. */
@@ -55,15 +55,15 @@ int stad_setup_check(const stad_setup *setup);
 enum stad_slot { STAD_SLOT_A = 0, STAD_SLOT_B = 1, STAD_SLOT_FACTORY = 2 };
 
 /* The caller's flash. Offsets are his own; each slot is one sector. A function returns 0, or anything else for a
- * failure: a failed read leaves the slot neither good nor bad, so it is not erased. */
+ * failure. A slot whose reading fails or brings no good record is read once more; if that fails, the slot is unreadable. */
 typedef struct stad_flash {
     int (*read)(void *user, uint32_t offset, void *bytes, uint32_t count);          /* any offset and count within a slot */
     int (*program)(void *user, uint32_t offset, const void *bytes, uint32_t count); /* count: a multiple of the granule */
     int (*erase)(void *user, uint32_t offset);                                      /* the sector at offset, to 0xff */
     void *user;                                                                     /* handed to the three */
-    uint32_t slot_offset[3];                                                        /* by enum stad_slot; all different */
-    uint32_t sector_bytes;                                                          /* smallest of the three sectors */
-    uint32_t program_bytes;                                                         /* program granule: a power of two, 1..64 */
+    uint32_t slot_offset[3]; /* by enum stad_slot; at least sector_bytes apart */
+    uint32_t sector_bytes;   /* smallest of the three sectors */
+    uint32_t program_bytes;  /* program granule: a power of two, 1..64 */
 } stad_flash;
 
 /* Reads the newest good setup, else the factory's. Returns the slot (enum stad_slot) it came from; STAD_E_CORRUPT: no
@@ -73,13 +73,16 @@ int stad_store_load(const stad_flash *flash, stad_setup *setup);
 /* Reads one slot only. */
 int stad_store_load_slot(const stad_flash *flash, int slot, stad_setup *setup);
 
-/* Writes a setup to the slot that is not the newest good one. Returns that slot when it reads back as written.
+/* Writes a setup to the slot that is not the newest good one. Returns that slot when it reads back as written. An unreadable
+ * slot is erased: to be written when the other one is good (torn flash with error correction reads so, and a load would not have
+ * found it either), else after the new record stands, so that what it may hold cannot come back as the newer.
  * STAD_E_PARAM: the setup or the flash is outside its domain; STAD_E_CORRUPT: the flash would not take it (a load
- * still finds what it found before, or, if only the reading back failed, the new one); STAD_E_STATE: no slot may be
- * erased, for none could be read. Worst case: six reads, two erases, two programs. */
+ * still finds what it found before, or, if only the reading back or the last erasing failed, the new one); STAD_E_STATE: nothing
+ * was erased, for both slots are unreadable; if that lasts, erase one yourself.
+ * Worst case: six reads, two erases, two programs. */
 int stad_store_save(const stad_flash *flash, const stad_setup *setup);
 
-/* Writes the factory slot, once: STAD_E_STATE when it holds a good setup already. */
+/* Writes the factory slot, once: STAD_E_STATE when it holds a good setup already or is unreadable; else as stad_store_save(). */
 int stad_store_save_factory(const stad_flash *flash, const stad_setup *setup);
 
 #ifdef __cplusplus

@@ -27,35 +27,38 @@ static uint32_t padded_bytes(const stad_flash *f)
     return (STAD_SETUP_BYTES + f->program_bytes - 1u) & ~(f->program_bytes - 1u);
 }
 
+/* Sectors that share no byte: the way from one to the other, either way round, is no shorter than a sector. */
+static int apart(const stad_flash *f, int a, int b)
+{
+    return f->slot_offset[a] - f->slot_offset[b] + f->sector_bytes - 1u >= 2u * f->sector_bytes - 1u;
+}
+
 static int flash_fits(const stad_flash *f)
 {
     uint32_t granule = f->program_bytes;
     if (!f->read || !f->program || !f->erase)
         return 0;
-    if (granule == 0 || granule > MAX_GRANULE || (granule & (granule - 1u)) != 0)
+    if (granule - 1u >= MAX_GRANULE || (granule & (granule - 1u)) != 0 || f->sector_bytes < padded_bytes(f))
         return 0;
-    if (f->slot_offset[0] == f->slot_offset[1] || f->slot_offset[1] == f->slot_offset[2] ||
-        f->slot_offset[0] == f->slot_offset[2])
-        return 0;
-    return f->sector_bytes >= padded_bytes(f);
+    return apart(f, STAD_SLOT_A, STAD_SLOT_B) && apart(f, STAD_SLOT_B, STAD_SLOT_FACTORY) &&
+           apart(f, STAD_SLOT_A, STAD_SLOT_FACTORY);
 }
 
-/* What a slot holds; a good one goes to *setup unless that is NULL. */
-static slot_view look(const stad_flash *f, int slot, stad_setup *setup)
+/* What a slot holds; a good one goes to *setup. What is not good is read twice: a bus may slip once. */
+static void look(const stad_flash *f, int slot, slot_view *view, stad_setup *setup)
 {
     uint8_t bytes[STAD_SETUP_BYTES];
-    stad_setup found;
-    slot_view view = {SLOT_BAD, 0};
-    if (f->read(f->user, f->slot_offset[slot], bytes, STAD_SETUP_BYTES) != 0) {
-        view.state = SLOT_UNREADABLE;
-        return view;
+    view->sequence = 0;
+    for (int tries = 0; tries < 2; tries++) {
+        view->state = SLOT_UNREADABLE;
+        if (f->read(f->user, f->slot_offset[slot], bytes, STAD_SETUP_BYTES) != 0)
+            continue;
+        view->state = SLOT_BAD;
+        if (stad_setup_unpack(bytes, STAD_SETUP_BYTES, setup, &view->sequence) != STAD_OK)
+            continue;
+        view->state = SLOT_GOOD;
+        return;
     }
-    if (stad_setup_unpack(bytes, STAD_SETUP_BYTES, &found, &view.sequence) != STAD_OK)
-        return view;
-    view.state = SLOT_GOOD;
-    if (setup)
-        *setup = found;
-    return view;
 }
 
 /* Sequence numbers go round: of two neighbours the later one is ahead by less than half the circle. */
@@ -76,9 +79,11 @@ static int newest(const slot_view view[2])
 
 int stad_store_load_slot(const stad_flash *flash, int slot, stad_setup *setup)
 {
+    slot_view view;
     if (!flash_fits(flash) || slot < STAD_SLOT_A || slot > STAD_SLOT_FACTORY)
         return STAD_E_PARAM;
-    return look(flash, slot, setup).state == SLOT_GOOD ? slot : STAD_E_CORRUPT;
+    look(flash, slot, &view, setup);
+    return view.state == SLOT_GOOD ? slot : STAD_E_CORRUPT;
 }
 
 int stad_store_load(const stad_flash *flash, stad_setup *setup)
@@ -86,15 +91,14 @@ int stad_store_load(const stad_flash *flash, stad_setup *setup)
     STAD_ASSERT(flash && setup);
     if (!flash_fits(flash))
         return STAD_E_PARAM;
-    slot_view view[2] = {look(flash, STAD_SLOT_A, NULL), look(flash, STAD_SLOT_B, NULL)};
+    stad_setup other;
+    slot_view view[2];
+    look(flash, STAD_SLOT_A, &view[0], setup);
+    look(flash, STAD_SLOT_B, &view[1], &other);
     int slot = newest(view);
-    if (slot >= 0 && stad_store_load_slot(flash, slot, setup) == slot)
-        return slot;
-    /* none, or the newest went bad between two reads: any good one that is left */
-    for (slot = STAD_SLOT_A; slot <= STAD_SLOT_FACTORY; slot++)
-        if (look(flash, slot, setup).state == SLOT_GOOD)
-            return slot;
-    return STAD_E_CORRUPT;
+    if (slot == STAD_SLOT_B)
+        *setup = other;
+    return slot >= 0 ? slot : stad_store_load_slot(flash, STAD_SLOT_FACTORY, setup);
 }
 
 /* Erases a slot, writes the record, reads it back. */
@@ -112,33 +116,38 @@ static int write_slot(const stad_flash *f, int slot, const stad_setup *setup, ui
     return bytes_equal(record, back, STAD_SETUP_BYTES) ? slot : STAD_E_CORRUPT;
 }
 
-/* With nothing good to lose, either slot will do, so a worn sector does not stop the first save. */
-static int write_any(const stad_flash *f, const slot_view view[2], const stad_setup *setup)
-{
-    int status = STAD_E_STATE;
-    for (int slot = STAD_SLOT_A; slot <= STAD_SLOT_B && status < 0; slot++)
-        if (view[slot].state == SLOT_BAD)
-            status = write_slot(f, slot, setup, 1);
-    return status;
-}
-
+/* With nothing good to lose either slot will do, so a worn sector does not stop the first save. If the other slot could not
+ * be read it may yet hold a good record, and a later one: it is erased once the new record stands. */
 int stad_store_save(const stad_flash *flash, const stad_setup *setup)
 {
     STAD_ASSERT(flash && setup);
     if (!flash_fits(flash) || stad_setup_check(setup) != STAD_OK)
         return STAD_E_PARAM;
-    slot_view view[2] = {look(flash, STAD_SLOT_A, NULL), look(flash, STAD_SLOT_B, NULL)};
-    int keep = newest(view);
-    if (keep < 0)
-        return write_any(flash, view, setup);
-    return write_slot(flash, 1 - keep, setup, view[keep].sequence + 1u);
+    stad_setup found;
+    slot_view view[2];
+    look(flash, STAD_SLOT_A, &view[0], &found);
+    look(flash, STAD_SLOT_B, &view[1], &found);
+    int status = STAD_E_STATE, keep = newest(view);
+    uint32_t sequence = view[max_i32(keep, 0)].sequence + 1u; /* that of a slot that is not good is 0 */
+    for (int slot = STAD_SLOT_A; slot <= STAD_SLOT_B && status < 0; slot++) {
+        const int other = STAD_SLOT_B - slot;
+        if (keep != other && view[slot].state != SLOT_BAD)
+            continue;
+        status = write_slot(flash, slot, setup, sequence);
+        if (status >= 0 && view[other].state == SLOT_UNREADABLE && flash->erase(flash->user, flash->slot_offset[other]) != 0)
+            status = STAD_E_CORRUPT;
+    }
+    return status;
 }
 
 int stad_store_save_factory(const stad_flash *flash, const stad_setup *setup)
 {
+    stad_setup found;
+    slot_view view;
     if (!flash_fits(flash) || stad_setup_check(setup) != STAD_OK)
         return STAD_E_PARAM;
-    if (look(flash, STAD_SLOT_FACTORY, NULL).state != SLOT_BAD)
+    look(flash, STAD_SLOT_FACTORY, &view, &found);
+    if (view.state != SLOT_BAD)
         return STAD_E_STATE;
     return write_slot(flash, STAD_SLOT_FACTORY, setup, 0);
 }
