@@ -101,24 +101,20 @@ static void get_rig(reader *r, stad_setup *setup)
     setup->rig.c_q24 = get_i32(r);
 }
 
-/* No correction that stad_rig_fit() advises comes near these: 16 px, and 1/16 px per px. */
+/* No correction that stad_rig_fit() advises comes near these: 16 px, and 1/16 px per px; and none is 0. */
 static int rig_fits(const stad_setup *s)
 {
-    const int32_t shift = 16 * 65536, slope = 1 << 20;
+    const int32_t most = s->corrected ? 1 << 20 : 0; /* in Q16 px and in Q24 */
     const stad_rig *r = &s->rig;
-    if (r->width != s->width || r->height != s->height)
-        return 0;
-    if (!s->corrected)
-        return r->a_q16 == 0 && r->b_q24 == 0 && r->c_q24 == 0;
-    return r->a_q16 >= -shift && r->a_q16 <= shift && r->b_q24 >= -slope && r->b_q24 <= slope && r->c_q24 >= -slope &&
-           r->c_q24 <= slope;
+    return r->width == s->width && r->height == s->height && r->a_q16 >= -most && r->a_q16 <= most && r->b_q24 >= -most &&
+           r->b_q24 <= most && r->c_q24 >= -most && r->c_q24 <= most;
 }
 
 int stad_setup_check(const stad_setup *setup)
 {
     if (setup->width <= 0 || setup->height <= 0 || !rig_fits(setup))
         return STAD_E_PARAM;
-    if (setup->mode > STAD_MODE_HH4 || (setup->channels != 1 && setup->channels != 3))
+    if (setup->channels != 1 && setup->channels != 3)
         return STAD_E_PARAM;
     if (setup->corrected > 1 || setup->origin > STAD_ORIGIN_TUNED)
         return STAD_E_PARAM;
@@ -135,10 +131,10 @@ void stad_setup_pack(const stad_setup *setup, uint32_t sequence, uint8_t *out)
     put(&w, sequence, 4);
     put_i16(&w, setup->width);
     put_i16(&w, setup->height);
-    put(&w, setup->mode, 1);
-    put(&w, setup->channels, 1);
-    put(&w, setup->origin, 1);
-    put(&w, setup->corrected, 1);
+    *w.at++ = setup->mode;
+    *w.at++ = setup->channels;
+    *w.at++ = setup->origin;
+    *w.at++ = setup->corrected;
     put_params(&w, &setup->params);
     put_rig(&w, &setup->rig);
     put(&w, stad_crc32(out, STAD_SETUP_BYTES - 4), 4);
@@ -162,10 +158,10 @@ int stad_setup_unpack(const uint8_t *bytes, size_t n, stad_setup *setup, uint32_
     uint32_t number = get(&r, 4);
     found.width = get_i16(&r);
     found.height = get_i16(&r);
-    found.mode = (uint8_t)get(&r, 1);
-    found.channels = (uint8_t)get(&r, 1);
-    found.origin = (uint8_t)get(&r, 1);
-    found.corrected = (uint8_t)get(&r, 1);
+    found.mode = *r.at++;
+    found.channels = *r.at++;
+    found.origin = *r.at++;
+    found.corrected = *r.at++;
     get_params(&r, &found.params);
     get_rig(&r, &found);
     if (stad_setup_check(&found) != STAD_OK)
