@@ -109,7 +109,7 @@ expect 2 '--channels 2: must be 1 or 3' plan --width 96 --height 48 --num-dispar
 expect 2 '--num-disparities 20: must be a multiple of 8' plan --width 96 --height 48 --num-disparities 20
 expect 2 '--p1 7x: not a whole number' "${m[@]}" --p1 7x
 expect 2 'block_size 4 ' "${t[@]}" --block-size 4
-expect 2 'block_size 4 ' "${t[@]}" --start block_size=4
+expect 2 '--start: block_size 4: ' "${t[@]}" --start block_size=4
 
 ### parameter files ###
 echo '{"block_size": 5, "uniqueness": 3}' >typo.json

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""`stad tune`: its best is never worse than the start it was given, a signal loses nothing, its JSON says how to repeat it."""
+"""`stad tune`: its best is never worse than the start it was given, a signal loses nothing, its JSON says how to repeat it,
+and what it would pass over in silence it refuses."""
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -41,8 +43,7 @@ def test_tune_start_off_the_lattice_stays_unless_beaten():
 
 
 def test_tune_scenes_and_fiducials_keep_the_start():
-    scene = {"left": "small/left.png", "right": "small/right.png", "truth": "small/disp.pfm", "num_disparities": 64}
-    Path("list.json").write_text(json.dumps([scene, scene]))
+    Path("list.json").write_text(json.dumps([SCENE, SCENE]))
     stad("tune", "--scenes", "list.json", *OFF_LATTICE)
     found = json.loads(Path("t.json").read_text())
     assert found["best"] == found["start"] and found["best"]["params"]["p2"] == 1200, found["best"]
@@ -63,6 +64,65 @@ def test_tune_json_says_how_to_repeat_it():
     point = min(found["trace"], key=lambda row: row[1])[3]
     assert point == {name: found["best"]["params"][name] for name in NAMES}, "the least of the trace is not the best"
     assert "--seed 4294967296" in tune("--seed", 4294967296, status=2)[1]
+
+
+def refused(pattern, status, *words):
+    """In one line, and nothing is written."""
+    _, errors = stad(*words, status=status)
+    assert re.search(pattern, errors) and errors.count("\n") == 1, f"stad {words}: {errors!r}, expected {pattern!r}"
+    assert not Path("never.json").exists()
+
+
+SCENE = {"left": "small/left.png", "right": "small/right.png", "truth": "small/disp.pfm", "num_disparities": 64}
+
+
+def test_tune_list_faults_are_named():
+    def list_of(second, says, status=3):
+        Path("faulty.json").write_text(second if isinstance(second, str) else json.dumps([SCENE, second]))
+        refused(says, status, "tune", "--scenes", "faulty.json", "--json", "never.json", "--max-evals", 1)
+
+    for key, values in (("num_disparities", (32.5, 0, -16, 4096, "64", None)), ("min_disparity", (-0.5, -2048, 2048, True)),
+                        ("truth_scale", (0, -4, 1e9, "4"))):
+        for value in values:
+            list_of({**SCENE, key: value}, f'faulty.json: scene 1: "{key}" must be a')
+    list_of({**SCENE, "num_disparites": 64}, 'faulty.json: scene 1: "num_disparites" is no key of a scene')
+    list_of({**SCENE, "truth_scale": 4}, 'faulty.json: scene 1: "truth_scale" has no effect: small/disp.pfm holds pixels')
+    list_of({**SCENE, "num_disparities": 31}, "scene 1: faulty.json: num_disparities 31: must be a positive multiple of 16", 2)
+    list_of({**SCENE, "num_disparities": 112, "min_disparity": 16}, "scene 1: faulty.json: .*leaves no column", 2)
+    list_of(7, "faulty.json: scene 1 is no JSON object")
+    one = json.dumps(SCENE)[:-1]
+    list_of(f'[{one}}}, {one}, "left": "other.png"}}]', 'faulty.json: scene 1: "left" is there twice')
+    list_of('[\n{"left": "a.png",\n "right": "b.png",,}]', "faulty.json: no JSON: see line 3$")
+    Path("fine.json").write_text(json.dumps([{**SCENE, "min_disparity": 0}, SCENE]))
+    stad("tune", "--scenes", "fine.json", "--max-evals", 1)
+
+
+def test_tune_options_that_conflict_are_refused():
+    pair = ("tune", "small/left.png", "small/right.png", "--truth", "small/disp.pfm", "--num-disparities", 64, "--max-evals", 1)
+    stad(*pair, "--json", "all.json")
+    Path("some.json").write_text('{"p1": 50, "p2": 200, "block_size": 5}')
+    for says, words in (("--start default has no effect: all.json and the options hold every", ("--params", "all.json", "--start", "default")),
+                        ("--start block_size=7 and --block-size 5: one of them", ("--block-size", 5, "--start", "block_size=7")),
+                        ("--start default and --start sample: one of them", ("--start", "default", "--start", "sample")),
+                        ("--start default and --start sample: one of them", ("--start", "sample,default")),
+                        ("--start p1: it is there twice", ("--start", "p1=5", "--start", "p1=6")),
+                        ("--truth-scale has no effect: small/disp.pfm holds pixels", ("--truth-scale", 4)),
+                        ("--start p1=99999: outside -32768..32767", ("--start", "p1=99999")),
+                        ("--start p1=few: not a whole number", ("--start", "p1=few")),
+                        ("--start: block_size 4: must be odd", ("--start", "block_size=4")),
+                        ("-: an output is a file's name", ("--json", "-"))):
+        refused(says, 2, *pair, *words)
+    assert not Path("-").exists()
+    stad(*pair, "--params", "some.json", "--start", "default,p1=60", "--json", "t.json")
+    start = json.loads(Path("t.json").read_text())["start"]["params"]
+    assert (start["p1"], start["block_size"], start["uniqueness_ratio"]) == (60, 5, 0), f"--start over the file over default: {start}"
+
+
+def test_tune_missing_words_and_truth_are_told():
+    refused("tune: LEFT and RIGHT are missing$", 2, "tune")
+    refused("tune: RIGHT is missing", 2, "tune", "small/left.png", "--truth", "small/disp.pfm")
+    refused("small/left.png: all of its truth lies outside the disparities searched, -64 .. -1", 2, "tune", "small/left.png", "small/right.png",
+            "--truth", "small/disp.pfm", "--num-disparities", 64, "--min-disparity", -64)
 
 
 def catches(child, number):

@@ -11,6 +11,15 @@
 
 #define JSON_FILE_MAX ((size_t)16 << 20)
 
+/* The line where the text stops being JSON. */
+static int line_at(const unsigned char *text, const char *at)
+{
+    int line = 1;
+    for (const char *c = (const char *)text; c < at; c++)
+        line += *c == '\n';
+    return line;
+}
+
 cJSON *json_read(const char *path, tool_fail *f)
 {
     unsigned char *text;
@@ -23,7 +32,7 @@ cJSON *json_read(const char *path, tool_fail *f)
         for (at = (size_t)(end - (const char *)text); at < size && strchr(" \t\r\n", text[at]) && text[at];)
             at++;
     if (!document)
-        tool_fail_set(f, TOOL_FILE, "%s: no JSON", path);
+        tool_fail_set(f, TOOL_FILE, "%s: no JSON: see line %d", path, line_at(text, end));
     else if (at < size)
         tool_fail_set(f, TOOL_FILE, "%s: no JSON: there is more behind its end, from byte %zu on", path, at);
     free(text);

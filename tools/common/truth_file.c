@@ -107,14 +107,19 @@ static int label_all(truth_map *t, const char *path, tool_fail *f)
     return TOOL_OK;
 }
 
+int truth_has_scale(const char *path)
+{
+    return !tool_has_suffix(path, ".npy") && !tool_has_suffix(path, ".npz") && !tool_has_suffix(path, ".pfm");
+}
+
 int truth_read(truth_map *t, const char *path, double scale, int min_disparity, tool_fail *f)
 {
     int status;
     memset(t, 0, sizeof *t);
-    if (tool_has_suffix(path, ".npy") || tool_has_suffix(path, ".npz") || tool_has_suffix(path, ".pfm"))
-        status = read_grid(t, path, min_disparity, f);
-    else
+    if (truth_has_scale(path))
         status = read_plane(t, path, scale, f);
+    else
+        status = read_grid(t, path, min_disparity, f);
     if (status == TOOL_OK)
         status = label_all(t, path, f);
     if (status)

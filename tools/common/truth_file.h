@@ -20,6 +20,9 @@ typedef struct truth_map {
 
 void truth_free(truth_map *t);
 
+/* Is truth of that name a picture, whose steps a scale turns into pixels? Else it holds pixels already. */
+int truth_has_scale(const char *path);
+
 /* .pfm (pixels; NaN or infinite = none), 16-bit .png (px * 256, or * scale if scale > 0; 0 = none), 8-bit .png or .pgm
  * (px * scale; 0 = none; refused when scale is 0), .npy or .npz (int16: px * 16, below min_disparity = none; float:
  * as .pfm).

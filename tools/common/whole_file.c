@@ -197,6 +197,8 @@ static int folder_writable(const char *path)
 int tool_out_check(const char *path, tool_fail *f)
 {
     struct stat s;
+    if (strcmp(path, "-") == 0)
+        return tool_fail_set(f, TOOL_USAGE, "-: an output is a file's name; ./- is a file of that name");
     if (stat(path, &s) == 0 && S_ISDIR(s.st_mode))
         return tool_fail_set(f, TOOL_FILE, "%s: cannot be written: it is a folder", path);
     if (is_device(path))

@@ -23,7 +23,9 @@ static const char help[] =
     "\"truth_scale\": S,\n"
     "                       \"min_disparity\": N, \"num_disparities\": N}, ...], the last four as needed; "
     "the mean cost counts\n"
-    "  --fiducials          the frames show the target of `stad sheet`: its planes are the truth\n"
+    "  --fiducials          the frames show the target of `stad sheet`: its planes are the truth. With a\n"
+    "                       board's loop this shares detector, rig check and truth alone: no penalty for going\n"
+    "                       far from the start, and no other pose that has to confirm the result\n"
     "  --method ncg|ncg-paper|sd|hybrid|descent     (ncg)\n"
     "  --cost bad|chow|d1|rmse|mae|missing          (bad)\n"
     "  --threshold PX       error above which a pixel is wrong (1)\n"
@@ -36,7 +38,8 @@ static const char help[] =
     "  --seed N             0..4294967295, of the draws of hybrid, and of the crosses that end ncg and hybrid (0). The same\n"
     "                       seed and costs give the same search on every machine\n"
     "  --start default|sample|NAME=V,...            cv::StereoSGBM::create()'s own, its sample's (sample), "
-    "values laid over;\n"
+    "values laid over\n"
+    "                       (a file's too: --params);\n"
     "                       a value outside the bounds searched (stad/tune.h) widens them: block_size=21 lets\n"
     "                       every point have a block of up to 21\n"
     "  --free NAME,...      what may vary "
@@ -124,7 +127,9 @@ static int take_start(tune_job *j, char *part, tool_fail *f)
 {
     char *equals = strchr(part, '=');
     if (!equals && (strcmp(part, "default") == 0 || strcmp(part, "sample") == 0)) {
-        j->from_default = part[0] == 'd';
+        if (j->from && j->from != part[0])
+            return tool_fail_set(f, TOOL_USAGE, "--start default and --start sample: one of them, not both");
+        j->from = part[0];
         return TOOL_OK;
     }
     if (equals)
@@ -132,7 +137,14 @@ static int take_start(tune_job *j, char *part, tool_fail *f)
     int field = params_field_find(part);
     if (!equals || field < 0)
         return tool_fail_set(f, TOOL_USAGE, "--start %s: must be default, sample, or NAME=VALUE of a parameter", part);
-    return params_some_set(&j->start, field, equals + 1, f);
+    if (j->start.given >> field & 1)
+        return tool_fail_set(f, TOOL_USAGE, "--start %s: it is there twice", part);
+    tool_fail why;
+    j->start.path[field] = "--start";
+    if (params_some_set(&j->start, field, equals + 1, &why) == TOOL_OK)
+        return TOOL_OK;
+    const char *colon = strstr(why.text, ": "); /* behind "--p1 99999" */
+    return tool_fail_set(f, why.status, "--start %.80s=%.80s%.400s", part, equals + 1, colon ? colon : "");
 }
 
 static int take_free(tune_job *j, char *part, tool_fail *f)
@@ -206,8 +218,30 @@ static int take(tune_job *j, int code, tool_fail *f)
     }
 }
 
+/* A value said twice: by --start and by the option of that name. */
+static int check_start(const tune_job *j, tool_fail *f)
+{
+    for (int i = 0; i < FIELD_COUNT; i++)
+        if (j->start.given & j->options.some.given & 1u << i)
+            return tool_fail_set(f, TOOL_USAGE, "--start %s=%ld and --%s %ld: one of them, not both", params_field_name(i),
+                                 j->start.value[i], params_field_option(i), j->options.some.value[i]);
+    return TOOL_OK;
+}
+
+/* A named start that nothing is left of, because the file says it all. */
+static int check_file(const tune_job *j, tool_fail *f)
+{
+    if (!j->from || !j->options.params_path || j->options.some.given != (1u << FIELD_COUNT) - 1)
+        return TOOL_OK;
+    return tool_fail_set(f, TOOL_USAGE, "--start %s has no effect: %s and the options hold every parameter",
+                         j->from == 'd' ? "default" : "sample", j->options.params_path);
+}
+
 static int take_words(tune_job *j, int argc, char **argv, tool_fail *f)
 {
+    if (!j->list && argc - optind < 2)
+        return tool_fail_set(f, TOOL_USAGE,
+                             argc == optind ? "LEFT and RIGHT are missing" : "RIGHT is missing: LEFT and RIGHT are wanted");
     if (tool_words(argc, optind, j->list ? 0 : 2, j->list ? "--scenes alone is" : "LEFT and RIGHT are", f))
         return f->status;
     if (j->list)
@@ -215,6 +249,8 @@ static int take_words(tune_job *j, int argc, char **argv, tool_fail *f)
     const scored_scene *one = &j->set.scene[0];
     if (!one->truth_path && !one->fiducials)
         return tool_fail_set(f, TOOL_USAGE, "--truth FILE, --fiducials or --scenes LIST.json is wanted: what to tune on");
+    if (one->truth_path && one->truth_scale > 0 && !truth_has_scale(one->truth_path))
+        return tool_fail_set(f, TOOL_USAGE, "--truth-scale has no effect: %s holds pixels", one->truth_path);
     if (one->fiducials && (one->truth_path || one->mask_path || j->rig.focal_px <= 0))
         return tool_fail_set(f, TOOL_USAGE, "--fiducials goes with --focal PX, and without --truth and --mask");
     j->set.scene[0].left_path = argv[optind];
@@ -242,7 +278,7 @@ static int read_options(tune_job *j, int argc, char **argv, tool_fail *f)
         if (status)
             return tool_report(argv[0], f);
     }
-    if (tool_refuse_vain(vain, sizeof vain / sizeof vain[0], given, f))
+    if (tool_refuse_vain(vain, sizeof vain / sizeof vain[0], given, f) || check_start(j, f))
         return tool_report(argv[0], f);
     return take_words(j, argc, argv, f) ? tool_report(argv[0], f) : -1;
 }
@@ -275,6 +311,8 @@ static int check_outputs(const tune_job *j, tool_fail *f)
 static int work(tune_job *j, tool_fail *f)
 {
     int status = match_options_file(&j->options, f);
+    if (status == TOOL_OK)
+        status = check_file(j, f);
     j->how.mode = match_options_mode(&j->options);
     j->how.memory = j->options.memory;
     if (status == TOOL_OK && j->list) {

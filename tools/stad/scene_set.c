@@ -4,6 +4,7 @@
 
 #include <cjson/cJSON.h>
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,22 +56,61 @@ static int take_path(scene_set *s, const cJSON *item, const char *list, int i, c
     return *path ? TOOL_OK : tool_fail_set(f, TOOL_FILE, "%s: not enough memory", list);
 }
 
-static int take_number(const cJSON *item, const char *list, int i, const char *key, double *v, tool_fail *f)
+static int take_scale(const cJSON *item, const char *list, int i, const char *truth, double *scale, tool_fail *f)
+{
+    const cJSON *number = cJSON_GetObjectItemCaseSensitive(item, "truth_scale");
+    if (!number)
+        return TOOL_OK;
+    if (!cJSON_IsNumber(number) || !(number->valuedouble >= 1e-3 && number->valuedouble <= 65536))
+        return tool_fail_set(f, TOOL_FILE, "%s: scene %d: \"truth_scale\" must be a number in 0.001..65536", list, i);
+    if (!truth_has_scale(truth))
+        return tool_fail_set(f, TOOL_FILE, "%s: scene %d: \"truth_scale\" has no effect: %s holds pixels", list, i, truth);
+    *scale = number->valuedouble;
+    return TOOL_OK;
+}
+
+/* A whole number in lo..2047, which is as far as disparities reach. */
+static int take_whole(const cJSON *item, const char *list, int i, const char *key, int lo, int *v, tool_fail *f)
 {
     const cJSON *number = cJSON_GetObjectItemCaseSensitive(item, key);
     if (!number)
         return TOOL_OK;
-    if (!cJSON_IsNumber(number) || !(number->valuedouble > -1e5 && number->valuedouble < 1e5))
-        return tool_fail_set(f, TOOL_FILE, "%s: scene %d: \"%s\" is no number in range", list, i, key);
-    *v = number->valuedouble;
+    const double value = cJSON_IsNumber(number) ? number->valuedouble : 0.5;
+    if (!(value >= lo && value <= 2047) || floor(value) != value)
+        return tool_fail_set(f, TOOL_FILE, "%s: scene %d: \"%s\" must be a whole number in %d..2047", list, i, key, lo);
+    *v = (int)value;
+    return TOOL_OK;
+}
+
+static int is_key(const char *name)
+{
+    static const char *const keys[] = {"left", "right", "truth", "mask", "truth_scale", "min_disparity", "num_disparities"};
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
+        if (strcmp(keys[i], name) == 0)
+            return 1;
+    return 0;
+}
+
+/* Nothing that would be passed over in silence: a key that is unknown, or there twice. */
+static int check_keys(const cJSON *item, const char *list, int i, tool_fail *f)
+{
+    if (!cJSON_IsObject(item))
+        return tool_fail_set(f, TOOL_FILE, "%s: scene %d is no JSON object", list, i);
+    for (const cJSON *member = item->child; member; member = member->next) {
+        if (!is_key(member->string))
+            return tool_fail_set(f, TOOL_FILE, "%s: scene %d: \"%s\" is no key of a scene", list, i, member->string);
+        if (cJSON_GetObjectItemCaseSensitive(item, member->string) != member)
+            return tool_fail_set(f, TOOL_FILE, "%s: scene %d: \"%s\" is there twice", list, i, member->string);
+    }
     return TOOL_OK;
 }
 
 static int take_scene(scene_set *s, const cJSON *item, const char *list, int i, tool_fail *f)
 {
     scored_scene *c = &s->scene[i];
-    double min = INT_MAX, num = 0;
-    int status = take_path(s, item, list, i, "left", &c->left_path, f);
+    int status = check_keys(item, list, i, f);
+    if (status == TOOL_OK)
+        status = take_path(s, item, list, i, "left", &c->left_path, f);
     if (status == TOOL_OK)
         status = take_path(s, item, list, i, "right", &c->right_path, f);
     if (status == TOOL_OK)
@@ -78,13 +118,11 @@ static int take_scene(scene_set *s, const cJSON *item, const char *list, int i, 
     if (status == TOOL_OK)
         status = take_path(s, item, list, i, "mask", &c->mask_path, f);
     if (status == TOOL_OK)
-        status = take_number(item, list, i, "truth_scale", &c->truth_scale, f);
+        status = take_scale(item, list, i, c->truth_path, &c->truth_scale, f);
     if (status == TOOL_OK)
-        status = take_number(item, list, i, "min_disparity", &min, f);
+        status = take_whole(item, list, i, "min_disparity", -2047, &c->min_disparity, f);
     if (status == TOOL_OK)
-        status = take_number(item, list, i, "num_disparities", &num, f);
-    c->min_disparity = (int)min;
-    c->num_disparities = (int)num;
+        status = take_whole(item, list, i, "num_disparities", 1, &c->num_disparities, f);
     return status;
 }
 

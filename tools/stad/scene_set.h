@@ -42,7 +42,7 @@ typedef struct scoring {
 int scene_set_single(scene_set *s, tool_fail *f);
 
 /* LIST.json: [{"left", "right", "truth", "mask", "truth_scale", "min_disparity", "num_disparities"}, ...], the last four as needed, paths
- * from the list's own folder. */
+ * from the list's own folder. What would be passed over in silence is refused with list, scene (from 0) and key. */
 int scene_set_list(scene_set *s, const char *path, tool_fail *f);
 
 /* Reads all pictures and truths. */

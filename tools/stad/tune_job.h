@@ -17,7 +17,7 @@ typedef struct tune_point {
 typedef struct tune_job {
     match_options options;
     params_some start; /* --start NAME=V,... */
-    int from_default;  /* --start default */
+    int from;          /* --start default: 'd', sample: 's', neither: 0 */
     const char *list, *json, *header, *report;
     char *command; /* as typed, for the report */
     report_rig rig;

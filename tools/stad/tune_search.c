@@ -25,20 +25,25 @@ static void take_range(params_some *some, const char *list, const scored_scene *
     params_some_merge(some, &its);
 }
 
-/* What a scene starts from: the chosen set, then --start's values, then options, then what the list says of this scene. */
+/* What a scene starts from: the chosen set, then the file's values, then options and --start's (never both of a field), then what
+ * the list says of this scene. */
 static int base_of(const tune_job *j, scored_scene *c, tool_fail *f)
 {
-    params_some some = j->start;
-    params_some_merge(&some, &j->options.some);
+    params_some some = j->options.some;
+    params_some_merge(&some, &j->start);
     take_range(&some, j->list, c);
     params_from_some(&c->base, &some, c->left.width, scene_channels(j));
-    if (j->from_default) {
+    if (j->from == 'd') {
         stad_params_default(&c->base, c->base.num_disparities);
         for (int i = 0; i < FIELD_COUNT; i++)
             if (some.given >> i & 1)
                 params_set(&c->base, i, some.value[i]);
     }
-    return params_check_text(&c->base, &some, j->how.mode, c->left.width, f);
+    tool_fail why;
+    int status = params_check_text(&c->base, &some, j->how.mode, c->left.width, &why);
+    if (status && j->list)
+        return tool_fail_set(f, status, "scene %d: %.550s", (int)(c - j->set.scene), why.text);
+    return status ? tool_fail_set(f, status, "%.550s", why.text) : TOOL_OK;
 }
 
 static stad_point point_of(const stad_params *p)
@@ -95,8 +100,8 @@ static int open_engine(const tune_job *j, scored_scene *c, const stad_tune_confi
     return status ? status : engine_keep(&c->engine, (int)j->share, f);
 }
 
-/* Truth that no parameters can reach is worth a word. */
-static void note_range(const scored_scene *c)
+/* Truth that no parameters can reach is worth a word; none that they can, an error. */
+static int note_range(const scored_scene *c, tool_fail *f)
 {
     int32_t low = c->base.min_disparity * 65536, high = low + (c->base.num_disparities - 1) * 65536;
     size_t n = (size_t)c->truth.width * (size_t)c->truth.height, seen = 0, outside = 0;
@@ -107,11 +112,15 @@ static void note_range(const scored_scene *c)
         }
     tool_fail note = {0};
     if (outside * 100 < seen || outside == 0)
-        return;
+        return TOOL_OK;
+    if (outside == seen)
+        return tool_fail_set(f, TOOL_USAGE, "%s: all of its truth lies outside the disparities searched, %d .. %d", c->left_path,
+                             c->base.min_disparity, c->base.min_disparity + c->base.num_disparities - 1);
     tool_fail_set(&note, TOOL_OK, ": %.1f %% of its truth lies outside the disparities searched, %d .. %d",
                   100.0 * (double)outside / (double)seen, c->base.min_disparity,
                   c->base.min_disparity + c->base.num_disparities - 1);
     tool_note("stad tune", c->left_path, &note);
+    return TOOL_OK;
 }
 
 static int take_base(const tune_job *j, scored_scene *c, tool_fail *f)
@@ -121,7 +130,7 @@ static int take_base(const tune_job *j, scored_scene *c, tool_fail *f)
     if (status == TOOL_OK)
         status = scene_find_truth(c, &camera, f);
     if (status == TOOL_OK)
-        note_range(c);
+        status = note_range(c, f);
     return status;
 }
 
