@@ -5,7 +5,7 @@ import os
 import sys
 
 try:
-    import numpy  # noqa: F401, the package needs it
+    import numpy
 except ImportError:
     print("SKIPPED: numpy is missing")
     sys.exit(77)
@@ -57,7 +57,7 @@ def test_tune_python_refuses_by_name():
                        ("limits: p2 = (1, 40000)", lambda: stadimeter.Tuner(START, limits={"p2": (1, 40000)})),
                        ("limits: block_size = (0, 5)", lambda: stadimeter.Tuner(START, limits={"block_size": (0, 5)})),
                        ("'speed'", lambda: stadimeter.Tuner(START, cheap=["speed"])), ("seed", lambda: stadimeter.Tuner(START, seed=-1)), ("cost", lambda: tuner.tell(-1)),
-                       ("cost", lambda: tuner.tell(float("nan"))), ("p1", lambda: stadimeter.Tuner(START, limits={"p1": (9, 8)})),
+                       ("p1", lambda: stadimeter.Tuner(START, limits={"p1": (9, 8)})),
                        ("state", lambda: stadimeter.Tuner.restore(bytes(4016))), ("state", lambda: stadimeter.Tuner.restore(b"\xff" * 4016))):
         try:
             call()
@@ -68,6 +68,32 @@ def test_tune_python_refuses_by_name():
     assert tuner.ask() == START, "a refused cost leaves the point pending"
     tuner.tell(stadimeter.FAILED)
     assert tuner.trace()[0][1] == stadimeter.FAILED
+
+
+def test_tune_python_wrong_types_are_named():
+    tuner = stadimeter.Tuner(START)
+    for word, call in (("cost = None", lambda: tuner.tell(None)), ("cost = '1'", lambda: tuner.tell("1")), ("cost_q20 = 1.5", lambda: tuner.tell_q20(1.5)),
+                       ("start = [72, 288]", lambda: stadimeter.Tuner([72, 288])), ("free = 'p1'", lambda: stadimeter.Tuner(START, free="p1")),
+                       ("free = 3", lambda: stadimeter.Tuner(START, free=3)), ("cheap = 'p1'", lambda: stadimeter.Tuner(START, cheap="p1")),
+                       ("budget = '3'", lambda: stadimeter.Tuner(START, budget="3")), ("seed = 1.5", lambda: stadimeter.Tuner(START, seed=1.5)),
+                       ("patience = 'no'", lambda: stadimeter.Tuner(START, patience="no"))):
+        try:
+            call()
+        except TypeError as error:
+            assert word in str(error), (word, error)
+        else:
+            raise AssertionError(f"{word}: not refused")
+    assert tuner.ask() == START
+
+
+def test_tune_python_not_a_number_counts_as_failed():
+    tuner = stadimeter.Tuner(START)
+    tuner.tell(float("nan"))
+    assert tuner.trace() == [(START, stadimeter.FAILED)] and tuner.ask() != START
+    tuner.tell(numpy.float32("nan"))
+    tuner.tell(numpy.float32(0.25))
+    tuner.tell_q20(numpy.int32(7))
+    assert [cost for _, cost in tuner.trace()] == [stadimeter.FAILED, stadimeter.FAILED, 0.25, 7 / 2**20]
 
 
 for name, test in list(globals().items()):

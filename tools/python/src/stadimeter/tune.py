@@ -17,9 +17,17 @@ PointDict = Dict[str, int]
 
 
 def _choice(name: str, value: str, table: Mapping[str, int]) -> int:
-    if value not in table:
+    if not isinstance(value, str) or value not in table:
         raise ValueError(f"{name} = {value!r}: one of {', '.join(table)}")
     return table[value]
+
+
+def _whole(name: str, value: object, low: int, high: int, what: str = "") -> int:
+    if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+        raise TypeError(f"{name} = {value!r}: must be a whole number")
+    if not low <= value <= high:
+        raise ValueError(f"{name} = {value}: must be {low}..{high}{what}")
+    return int(value)
 
 
 def cheap_for(purpose: str) -> Tuple[str, ...]:
@@ -41,24 +49,26 @@ class Tuner:
         config = TuneConfig()
         lib.stad_tune_config_stereo(config, _choice("purpose", purpose, PURPOSES))
         config.method = _choice("method", method, METHODS)
-        if not 1 <= budget <= 240:
-            raise ValueError(f"budget = {budget}: 1..240 distinct evaluations")
-        if not 0 <= seed < 2**32:
-            raise ValueError(f"seed = {seed}: 0..{2**32 - 1}")
+        config.budget = _whole("budget", budget, 1, 240, " distinct evaluations")
+        config.seed = _whole("seed", seed, 0, 2**32 - 1)
         if channels not in (1, 3):
-            raise ValueError(f"channels = {channels}: 1 or 3")
+            raise ValueError(f"channels = {channels!r}: 1 or 3")
+        if patience not in (False, True):  # 0 and 1 are equal to them
+            raise TypeError(f"patience = {patience!r}: must be False or True")
         for rung in config.ladder[:config.ladder_count]:  # made for grey frames
             rung[0], rung[1] = rung[0] * channels, rung[1] * channels
-        config.budget, config.seed, config.patience = budget, seed, int(patience)
+        config.patience = int(patience)
         if free is not None:
-            config.free_mask = sum(1 << self._index(name) for name in set(free))
-        config.cheap_mask = sum(1 << self._index(name) for name in set(cheap))
+            config.free_mask = self._mask("free", free)
+        config.cheap_mask = self._mask("cheap", cheap)
         for name, (low, high) in (limits or {}).items():
             axis = config.axis[self._index(name)]
             least = 0 if name == "uniqueness_ratio" else 1
             if not least <= low <= high <= 32767:
                 raise ValueError(f"limits: {name} = ({low}, {high}): must be lowest and highest, within {least}..32767")
             axis.lo, axis.hi = low, high
+        if not isinstance(start, Mapping):
+            raise TypeError(f"start = {start!r}: must be a mapping from each name to its value")
         missing = [name for name in NAMES if name not in start]
         if missing or len(start) != DIMS:
             strange = [name for name in start if name not in NAMES]
@@ -78,14 +88,22 @@ class Tuner:
             raise ValueError(f"{name!r} is no parameter of the tuner: one of {', '.join(NAMES)}")
         return NAMES.index(name)
 
+    @classmethod
+    def _mask(cls, argument: str, given: Iterable[str]) -> int:
+        if isinstance(given, (str, bytes)) or not isinstance(given, Iterable):
+            raise TypeError(f"{argument} = {given!r}: must be a list of names")
+        return sum(1 << i for i in {cls._index(name) for name in given})
+
     def ask(self) -> Optional[PointDict]:
         """The point to score, or None when the search is over."""
         x = Point()
         return dict(zip(NAMES, x)) if lib.stad_tune_ask(self._state, x) == 1 else None
 
     def tell(self, cost: Union[float, int]) -> None:
-        """The cost of the point asked for: a fraction >= 0 (FAILED: could not be scored). Kept as a multiple of 2^-20."""
-        self.tell_q20(_FAILED_Q20 if cost == FAILED else self._q20(cost))
+        """The cost of the point asked for: a fraction >= 0. FAILED or NaN: it could not be scored. Kept as a multiple of 2^-20."""
+        if not isinstance(cost, numbers.Real):
+            raise TypeError(f"cost = {cost!r}: must be a number")
+        self.tell_q20(_FAILED_Q20 if cost == FAILED or cost != cost else self._q20(cost))
 
     @staticmethod
     def _q20(cost: Union[float, int]) -> int:
@@ -95,9 +113,7 @@ class Tuner:
 
     def tell_q20(self, cost_q20: int) -> None:
         """The same in the library's own unit (Scorer.cost_q20)."""
-        if not 0 <= cost_q20 <= _FAILED_Q20:
-            raise ValueError(f"cost_q20 = {cost_q20}: must be 0..{_FAILED_Q20}")
-        if lib.stad_tune_tell(self._state, cost_q20) != 0:
+        if lib.stad_tune_tell(self._state, _whole("cost_q20", cost_q20, 0, _FAILED_Q20)) != 0:
             raise ValueError("tell: no point was asked for, the search is over")
 
     def best(self) -> Tuple[PointDict, float]:
