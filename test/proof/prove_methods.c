@@ -126,7 +126,7 @@ static void prove_method(int method)
     any_search(0, method);
     t.config.budget = STAD_TUNE_LOG;
     t.count = (int16_t)any(1, STAD_TUNE_LOG - 1);
-    t.phase = PHASE_ASKING;
+    t.phase = TUNE_PHASE_ASKING;
     t.pending = any_point();
     stad_tune_tell(&t, any(INT32_MIN, INT32_MAX));
 }
