@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The tuner from Python: ladders by cost and channels, what it refuses, a search cut in two."""
 import os
+import subprocess
 import sys
 
 try:
@@ -94,6 +95,17 @@ def test_tune_python_not_a_number_counts_as_failed():
     tuner.tell(numpy.float32(0.25))
     tuner.tell_q20(numpy.int32(7))
     assert [cost for _, cost in tuner.trace()] == [stadimeter.FAILED, stadimeter.FAILED, 0.25, 7 / 2**20]
+
+
+def test_study_without_its_data_says_so_in_one_line():
+    env = {name: value for name, value in os.environ.items() if name != "STAD_DATA"}
+    for script, words in (("ladder.py", ()), ("ablation.py", ()), ("general.py", ()), ("table1.py", ()), ("ga24x150.py", ()), ("sharing.py", ("--matches",)),
+                          ("presets/run.py", ()), ("presets/handicap.py", ()), ("calib_trials/run.py", ())):
+        done = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "study", script), *words], env=env, capture_output=True, text=True)
+        if "ModuleNotFoundError" in done.stderr:  # what only studies need
+            print(f"SKIPPED: {script}: {done.stderr.splitlines()[-1]}")
+            continue
+        assert done.returncode == 1 and done.stderr.count("\n") == 1 and "STAD_DATA names the folder of scenes" in done.stderr, (script, done.stderr)
 
 
 for name, test in list(globals().items()):

@@ -17,7 +17,7 @@ import sys
 
 from ours import search
 from package import ROOT, build
-from scenes import Scene, sample, split
+from scenes import Scene, manifest, sample, split
 
 PARTS = (("full", ""), ("no PR+ (beta 0)", "-DTUNE_BETA=0"), ("no curvature scaling", "-DTUNE_SCALING=0"),
          ("no polls of block and disp12", "-DTUNE_POLLS=0"), ("no follow", "-DTUNE_FOLLOW=0"), ("no joint step", "-DTUNE_JOINT=0"))
@@ -58,6 +58,7 @@ def main():
     if args.one:
         print(json.dumps(one_variant(args.budget)))
         return
+    manifest()  # before anything is built
     runs = {name: run(i, flags) for i, (name, flags) in enumerate(PARTS)}
     floors = [{path: min(best_of_table(cost, path), *(min(cells[k][path]) for cells in runs.values())) for path in split("design", family)}
               for k, (cost, family) in enumerate(CELLS)]

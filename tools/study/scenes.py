@@ -13,6 +13,7 @@ import cv2  # reads PNG; matching is the library's own
 import numpy as np
 
 from costs import COUNTS, cost_q20
+from data_folder import entries
 from package import stadimeter
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -31,7 +32,7 @@ def split(half, family):
 
 
 def manifest():
-    return {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json"))) if "numDisparities" in s}
+    return {s["path"]: s for s in entries(DATA) if "numDisparities" in s}
 
 
 def grey(path):

@@ -23,6 +23,7 @@ import statistics
 import subprocess
 import tempfile
 
+from data_folder import entries
 from ours import search
 from scenes import Scene, sample, split
 
@@ -90,7 +91,7 @@ def measure(args, place, json_path):
     command = [args.stad, "tune", os.path.join(folder, "left.png"), os.path.join(folder, "right.png"), "--truth", truth, "--cost", args.cost,
                "--num-disparities", str(args.disparities), "--json", json_path]
     command += ["--mask", mask] if os.path.exists(mask) else []
-    meta = {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json")))}[place]
+    meta = {s["path"]: s for s in entries(DATA)}[place]
     bench = [args.stad, "bench", "--mode", "sgbm", "--width", str(meta["W"]), "--height", str(meta["H"]), "--num-disparities", str(args.disparities),
              "--frames", "15"]
     times, traces, frames, single = {0: [], KEPT: []}, {}, [], []

@@ -93,7 +93,7 @@ def show(train, test):
 def natural_bad(point):
     """Percent at 1 px over the open scenes with dense truth: what a board's parameters are worth elsewhere."""
     out = []
-    for m in json.load(open(f'{ARGS.data}/MANIFEST.json')):
+    for m in figures.entries(ARGS.data):
         if not m['dataset'].startswith('middlebury') or m['split'] != 'open' or m['W'] > 900:
             continue
         folder = f"{ARGS.data}/{m['path']}/"

@@ -21,6 +21,9 @@ import tempfile
 import cv2
 import numpy as np
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
+from data_folder import entries  # noqa: E402
+
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..'))
 
 
@@ -233,7 +236,7 @@ def camera_view(image, dy=0, roll=0, scale=0):
 def open_scenes():
     """Left view, full-size right view, truth at 1 / REDUCE, disparities."""
     out = []
-    for m in json.load(open(f'{ARGS.data}/MANIFEST.json')):
+    for m in entries(ARGS.data):
         if not m['dataset'].startswith('middlebury') or m['split'] != 'open' or m['W'] > 900:
             continue
         folder = f"{ARGS.data}/{m['path']}/"

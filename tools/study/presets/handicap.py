@@ -54,7 +54,7 @@ def main():
     if args.again:
         rows = json.load(open(args.again))
     else:
-        meta = {s["path"]: s for s in json.load(open(os.path.join(trials.DATA, "MANIFEST.json"))) if "path" in s}
+        meta = trials.manifest()
         rows = [trials.trial(args.program, meta[scene], scene, kind, 200 + i, 0) for i, scene in enumerate(derive.SCENES) for kind in trials.KINDS]
     if args.json:
         json.dump(rows, open(args.json, "w"))

@@ -11,6 +11,10 @@ import itertools
 import json
 import os
 import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from data_folder import entries  # noqa: E402
 
 DATA = os.environ.get("STAD_DATA", "")
 SCENES = ("middlebury2003/cones", "middlebury2005/Dolls", "middlebury2006/Aloe", "middlebury2006/Bowling2", "middlebury2006/Cloth1", "middlebury2006/Wood1",
@@ -23,7 +27,7 @@ def main():
     args.add_argument("--program", default="build/preset-derive")
     args.add_argument("--evaluations", type=int, default=120)
     args = args.parse_args()
-    meta = {s["path"]: s for s in json.load(open(os.path.join(DATA, "MANIFEST.json"))) if "path" in s}
+    meta = {s["path"]: s for s in entries(DATA) if "path" in s}
     command = [args.program, str(args.evaluations)]
     for scene in SCENES:
         folder = os.path.join(DATA, scene)
