@@ -28,6 +28,12 @@ static frame now, held[2];
 static stad_setup stored; /* stands for the flash: see 04_store.c */
 static int ill;           /* live frames of cameras at fault */
 
+/* By enum stad_calib_outcome and enum stad_calib_fault. */
+static const char *const outcome_words[] = {"none",     "sound",   "adopted",    "corrected",    "kept",     "rolled back",
+                                            "no marks", "no pose", "rig failed", "camera fault", "cancelled"};
+static const char *const fault_words[] = {"none",  "late",  "black", "saturated", "flat",   "frozen", "swapped",
+                                          "marks", "range", "rig",   "size",      "camera", "match"};
+
 static stad_image view(uint8_t (*pix)[W])
 {
     return stad_image_packed(&pix[0][0], W, H, 1);
@@ -38,9 +44,13 @@ static int read_pgm(const char *folder, int i, const char *side, uint8_t (*pix)[
     char path[512];
     snprintf(path, sizeof path, "%s/%03d_%s.pgm", folder, i, side);
     FILE *in = fopen(path, "rb");
-    int ok = in && fscanf(in, "P5 320 240 255%*c") == 0 && fread(pix, 1, (size_t)W * H, in) == (size_t)W * H;
+    int width = 0, height = 0, most = 0;
+    const int fits = in && fscanf(in, "P5 %d %d %d", &width, &height, &most) == 3 && width == W && height == H && most == 255;
+    const int ok = fits && fgetc(in) != EOF && fread(pix, 1, (size_t)W * H, in) == (size_t)W * H;
     if (in)
         fclose(in);
+    if (!ok)
+        fprintf(stderr, "%s: %s\n", path, in ? "no whole PGM of 320 x 240 and 255 greys" : "cannot be opened");
     return ok;
 }
 
@@ -121,7 +131,7 @@ int main(int argc, char **argv)
 
     const stad_calib_report *r = stad_calib_report_of(&calib);
     printf("%d live frames of cameras at fault\n", ill);
-    printf("outcome %d, fault %d, %d evaluations", r->outcome, r->fault, r->evaluations);
+    printf("outcome: %s, fault: %s, %d evaluations", outcome_words[r->outcome], fault_words[r->fault], r->evaluations);
     if (r->judge_before_q20 >= 0) /* measured */
         printf(", other pose %.2f -> %.2f %%", 100.0 * r->judge_before_q20 / STAD_COST_ONE,
                100.0 * r->judge_after_q20 / STAD_COST_ONE);

@@ -9,7 +9,7 @@
  * every mark_every-th frame stad_monitor_look_due() says that marks should be looked for, whatever the statistic
  * says.
  *
- * DEGRADED asks for a recalibration and does nothing else. Source: docs/CALIBRATION.md, "Trigger". */
+ * DEGRADED asks for a recalibration and does nothing else. Source: docs/LOOP.md, "Trigger". */
 #ifndef STAD_MONITOR_H
 #define STAD_MONITOR_H
 

@@ -71,7 +71,8 @@ stad_corner stad_rig_apply(const stad_rig *r, stad_corner corrected);
 /* The inverse: moves the right corners of pairs found in raw frames into the corrected image. */
 void stad_rig_straighten(const stad_rig *r, stad_pair *pairs, int n);
 
-/* Rows of the raw image that row y of the corrected one needs: first .. last, clipped to the image. */
+/* Rows of the raw image that row y of the corrected one needs: first .. last, clipped to the image. Not checked: y must be a row
+ * of the image, and the correction one that stad_rig_row() takes. */
 void stad_rig_rows(const stad_rig *r, int y, int *first, int *last);
 
 /* Writes row y of the corrected right image: width * channels bytes. 4 taps each way at 16 phases (cubic), pixels outside

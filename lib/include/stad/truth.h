@@ -67,15 +67,16 @@ typedef struct stad_truth {
 int stad_truth_init(stad_truth *t, int width, int height, int min_disparity, int num_disparities, int margin);
 
 /* Adds a plane. STAD_E_LIMIT: STAD_TRUTH_LAYERS are in already; STAD_E_PARAM: fewer than 3 or more than STAD_POLYGON_MAX
- * corners, not convex, farther than 4096 px outside, or a slope or a disparity of the plane out of range. */
+ * corners, corners that turn both ways (that the sides do not cross is not checked: a pentagram passes), farther than 4096 px
+ * outside, or a slope or a disparity of the plane out of range. */
 int stad_truth_add_plane(stad_truth *t, const stad_plane *plane, const stad_polygon *where);
 
 /* Adds a mask: inside it nothing is scored of what was added BEFORE it. Planes added later lie on top. A mask hides nothing from
  * the right camera, as its disparity is unknown: where that matters, let it reach farther to the left. Same errors. */
 int stad_truth_add_mask(stad_truth *t, const stad_polygon *where);
 
-/* Row y: `width` truths in px * 65536 and labels (enum stad_label of stad/score.h: 0 not scored, 1 seen by both cameras,
- * 2 hidden from the right one). Where the label is 0 the truth means nothing. STAD_E_SIZE: width is not that of the truth, or y is
+/* Row y: `width` truths in px * 65536 and labels (enum stad_label of stad/score.h; what the right camera cannot see is
+ * STAD_LABEL_OCCLUDED). Where the label is STAD_LABEL_IGNORED the truth means nothing. STAD_E_SIZE: width is not that of the truth, or y is
  * outside. */
 int stad_truth_row(const stad_truth *t, int y, int width, int32_t *truth_q16_row, uint8_t *label_row);
 

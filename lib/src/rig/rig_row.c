@@ -12,8 +12,7 @@
 enum { BIAS_PX = 512, PHASE_BITS = 4, MAX_SLOPE_Q24 = 1 << 20, MAX_SHIFT_Q16 = 64 << 16 };
 
 /* Cubic convolution with a = -1 in 1/64, each row sums to 64. Halfway between pixels it passes half of the Nyquist frequency
- * at 1.06 of its size; the customary a = -0.5 passes 0.88, and matching a blurred row against a sharp one then costs up to a
- * third of what a small drift did. tools/study/marks measures it. */
+ * at 1.06 of its size; the customary a = -0.5 passes 0.88, and a blurred row is then matched against a sharp one. */
 static const int8_t taps[16][4] = {
     {0, 64, 0, 0},    {-4, 64, 4, 0},   {-6, 62, 9, -1},  {-8, 60, 14, -2}, {-9, 57, 19, -3}, {-9, 53, 24, -4},
     {-9, 49, 30, -6}, {-9, 45, 35, -7}, {-8, 40, 40, -8}, {-7, 35, 45, -9}, {-6, 30, 49, -9}, {-4, 24, 53, -9},

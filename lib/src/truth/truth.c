@@ -148,7 +148,7 @@ int stad_truth_crop(stad_truth *t, const stad_box *box)
         return STAD_E_PARAM;
     for (int32_t i = 0; i < t->count; i++) {
         stad_truth_layer *layer = &t->layer[i];
-        /* The disparity at the new origin: in range of int32 as the origin is in the frame, |a|, |b| < 1, |c| < 2^29. */
+        /* The disparity at the new origin: in range of int32 as the origin is in the frame, |a|, |b| < 1, |c| < 2^30. */
         layer->plane.c_q16 += layer->plane.a_q16 * box->x + layer->plane.b_q16 * box->y;
         for (int32_t k = 0; k < layer->where.count; k++) {
             layer->where.p[k].x_q8 -= box->x * 256;
