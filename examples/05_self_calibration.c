@@ -31,8 +31,8 @@ static int ill;           /* live frames of cameras at fault */
 /* By enum stad_calib_outcome and enum stad_calib_fault. */
 static const char *const outcome_words[] = {"none",     "sound",   "adopted",    "corrected",    "kept",     "rolled back",
                                             "no marks", "no pose", "rig failed", "camera fault", "cancelled"};
-static const char *const fault_words[] = {"none",  "late",  "black", "saturated", "flat",   "frozen", "swapped",
-                                          "marks", "range", "rig",   "size",      "camera", "match"};
+static const char *const fault_words[] = {"none",  "late", "black", "saturated", "flat",   "frozen", "swapped", "marks",
+                                          "range", "rig",  "size",  "camera",    "moving", "same",   "match"};
 
 static stad_image view(uint8_t (*pix)[W])
 {
