@@ -39,4 +39,8 @@ refused 2 -o x.pdf --target cube
 refused 2 -o x.pdf more
 refused 3 -o missing/x.pdf
 refused 3 -o missing/x.svg
+refused 3 -o s-1.svg/x.pdf
+grep -q "Not a directory" err || die "a file as a folder: $(cat err)"
+status=0; "$stad" simulate . --size 16x16 --num-disparities 16 2>err || status=$?
+[ $status -eq 2 ] && grep -q "is a folder" err || die "simulate: a folder with --size: $status, $(cat err)"
 echo "sheet: same bytes, true scale"

@@ -183,11 +183,12 @@ static int folder_writable(const char *path)
     memcpy(folder, path, n);
     folder[n] = 0;
     struct stat s;
-    int ok = access(folder, W_OK | X_OK) == 0;
-    if (ok && (stat(folder, &s) || !S_ISDIR(s.st_mode))) {
+    int ok = stat(folder, &s) == 0;
+    if (ok && !S_ISDIR(s.st_mode)) {
         ok = 0;
         errno = ENOTDIR;
     }
+    ok = ok && access(folder, W_OK | X_OK) == 0;
     int why = errno;
     free(folder);
     errno = why;

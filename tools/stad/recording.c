@@ -237,6 +237,8 @@ static int open_raw(recording *r, const char *where, tool_fail *f)
     long long frame = 2LL * r->raw_width * r->raw_height;
     if (stat(where, &s))
         return tool_fail_set(f, TOOL_FILE, "%s: %s", where, strerror(errno));
+    if (S_ISDIR(s.st_mode))
+        return tool_fail_set(f, TOOL_USAGE, "%s is a folder: --size WxH is for frames in one file", where);
     if (s.st_size == 0 || s.st_size % frame || s.st_size / frame > 10000000)
         return tool_fail_set(f, TOOL_FILE, "%s: %lld bytes are no whole number of pairs of %d x %d", where, (long long)s.st_size,
                              r->raw_width, r->raw_height);
