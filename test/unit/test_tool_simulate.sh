@@ -177,4 +177,7 @@ refuse 3 'frame 3 is 96 x 48, those before were 320 x 240' bad "${range[@]}"
 rm -r bad && cp -r kitti bad && rm bad/image_1/001.png
 refuse 3 'image_1/001.png: No such file' bad "${range[@]}"
 "$stad" simulate bad "${range[@]}" --keep-going >out.txt 2>err.txt && grep -q '1 skipped' out.txt || fail "a missing right frame"
+run scene -o large --width 2056 --height 48 --num-disparities 16 --plates 2
+refuse 2 'frames of 2056 x 48 px: the board takes 16 to 2048 px a side' large --num-disparities 16
+refuse 2 'no board for frames of 320 x 240 px, --focal 5000' rec --num-disparities 64 --focal 5000
 [ $failures = 0 ] && echo "all as expected"

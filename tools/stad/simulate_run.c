@@ -42,10 +42,13 @@ static int start_calib(simulation *s, const stad_geometry *g, const picture *lef
         config.monitor.learn_frames = (int16_t)s->learn_frames;
     if (s->probation_frames >= 0)
         config.probation_frames = (int16_t)s->probation_frames;
+    if (stad_calib_frame_bytes(g->width, g->height) == 0)
+        return tool_fail_set(f, TOOL_USAGE, "frames of %d x %d px: the board takes 16 to %d px a side", g->width, g->height,
+                             STAD_MARK_MAX_SIZE);
     int status = stad_calib_init(&s->calib, &config, &s->initial);
     if (status != STAD_OK)
-        return tool_fail_set(f, TOOL_USAGE, "the calibration cannot be set up for these frames and parameters: %s",
-                             stad_status_name(status));
+        return tool_fail_set(f, TOOL_USAGE, "no board for frames of %d x %d px, --focal %g, --center %g,%g: %s", g->width,
+                             g->height, s->rig.focal_px, s->cx, s->cy, stad_status_name(status));
     return TOOL_OK;
 }
 

@@ -245,7 +245,7 @@ int stad_calib_live(stad_calib *c, const stad_image *left, const stad_image *rig
 /* Begins a run now, whatever the monitor says. STAD_E_STATE: one is under way. */
 int stad_calib_start(stad_calib *c);
 
-/* Ends a run; what is in use stays. */
+/* Ends a run; what is in use stays. Called while a SAVE is asked for, flash keeps the set before: store stad_calib_setup() then. */
 void stad_calib_cancel(stad_calib *c);
 
 /* What is wanted next: enum stad_want, also in r->want. Asking twice is harmless. */
