@@ -17,4 +17,4 @@ if (venv_with documents numpy pillow) >/dev/null; then
     export STADIMETER_LIBRARY="$work/native/libstadimeter_native.so" PYTHONPATH="$work/tree/tools/python/src"
     python=$venv/bin/python
 fi
-python3 "$source_dir/test/packaging/documents.py" "$work/tree" $python
+python3 "$source_dir/test/packaging/documents.py" "$work/tree" ${python:+"$python"}

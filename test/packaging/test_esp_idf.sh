@@ -26,10 +26,10 @@ function(idf_component_register)
   add_library(component STATIC \${ARG_SRCS})
   target_include_directories(component PUBLIC \${ARG_INCLUDE_DIRS} PRIVATE \${ARG_PRIV_INCLUDE_DIRS})
 endfunction()
-add_subdirectory($1 component)
-add_executable(main $work/main.c)
+add_subdirectory("$1" component)
+add_executable(main "$work/main.c")
 target_link_libraries(main PRIVATE component)
-add_executable(app $source_dir/examples/esp-idf/main/main.c $work/app.c)
+add_executable(app "$source_dir/examples/esp-idf/main/main.c" "$work/app.c")
 target_link_libraries(app PRIVATE component)
 END
     quietly cmake -S "$work/project" -B "$work/project/build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_COMPILER="$cc"

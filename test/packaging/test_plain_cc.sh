@@ -12,5 +12,6 @@ OBJECTS = $(patsubst $(STAD)/%.c,%.o,$(wildcard $(STAD)/lib/src/*/*.c)) main.o
 program: $(OBJECTS); $(CC) -o $@ $^
 lib/%.o: $(STAD)/lib/%.c; mkdir -p $(@D) && $(CC) $(CFLAGS) -c -o $@ $<
 EOF
-quietly make -C "$work" -j 2 CC="$cc" STAD="$source_dir"
+ln -s "$source_dir" "$work/stad" # make knows no name with a space in it
+quietly make -C "$work" -j 2 CC="$cc" STAD=stad
 quietly "$work/program"

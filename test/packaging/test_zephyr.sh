@@ -56,7 +56,7 @@ set(CONFIG_STADIMETER_ISA scalar)
 foreach(module IN LISTS ZEPHYR_EXTRA_MODULES)
   add_subdirectory(${module}/zephyr module)
 endforeach()
-target_include_directories(app PRIVATE ${STAD_HEADERS})
+target_include_directories(app PRIVATE "${STAD_HEADERS}")
 END
 sed -i "s|\${STAD_HEADERS}|$source_dir/lib/include|" "$work/zephyr/ZephyrConfig.cmake"
 quietly cmake -S "$source_dir/examples/zephyr" -B "$work/build" -DZephyr_DIR="$work/zephyr" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_COMPILER="$cc"
