@@ -25,9 +25,10 @@ def _choice(name: str, value: str, table: Mapping[str, int]) -> int:
 def _whole(name: str, value: object, low: int, high: int, what: str = "") -> int:
     if isinstance(value, bool) or not isinstance(value, numbers.Integral):
         raise TypeError(f"{name} = {value!r}: must be a whole number")
-    if not low <= value <= high:
-        raise ValueError(f"{name} = {value}: must be {low}..{high}{what}")
-    return int(value)
+    whole = int(value)
+    if not low <= whole <= high:
+        raise ValueError(f"{name} = {whole}: must be {low}..{high}{what}")
+    return whole
 
 
 def cheap_for(purpose: str) -> Tuple[str, ...]:
