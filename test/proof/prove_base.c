@@ -30,31 +30,30 @@ static void prove_logs(void)
     stad_isqrt((uint64_t)any64(INT64_MIN, INT64_MAX));
 }
 
+/* Of up to `most` points. */
+static stad_affine_sums any_sums(int most)
+{
+    const stad_affine_sums s = {any64(0, most),
+                                any64(-(1ll << 27), 1ll << 27),
+                                any64(-(1ll << 27), 1ll << 27),
+                                any64(-(1ll << 34), 1ll << 34),
+                                any64(0, 1ll << 42),
+                                any64(-(1ll << 42), 1ll << 42),
+                                any64(0, 1ll << 42),
+                                any64(-(1ll << 49), 1ll << 49),
+                                any64(-(1ll << 49), 1ll << 49)};
+    return s;
+}
+
 static void prove_sums(void)
 {
-    stad_affine_sums s = {any64(0, 4095),
-                          any64(-(1ll << 27), 1ll << 27),
-                          any64(-(1ll << 27), 1ll << 27),
-                          any64(-(1ll << 34), 1ll << 34),
-                          any64(0, 1ll << 42),
-                          any64(-(1ll << 42), 1ll << 42),
-                          any64(0, 1ll << 42),
-                          any64(-(1ll << 49), 1ll << 49),
-                          any64(-(1ll << 49), 1ll << 49)};
+    stad_affine_sums s = any_sums(4095);
     stad_affine_add(&s, any(-32768, 32768), any(-32768, 32768), any(-(1 << 22), 1 << 22));
 }
 
 static void prove_fit(void)
 {
-    stad_affine_sums s = {any64(0, 4097),
-                          any64(-(1ll << 27), 1ll << 27),
-                          any64(-(1ll << 27), 1ll << 27),
-                          any64(-(1ll << 34), 1ll << 34),
-                          any64(0, 1ll << 42),
-                          any64(-(1ll << 42), 1ll << 42),
-                          any64(0, 1ll << 42),
-                          any64(-(1ll << 49), 1ll << 49),
-                          any64(-(1ll << 49), 1ll << 49)};
+    stad_affine_sums s = any_sums(4097);
     stad_affine fit;
     if (stad_affine_solve(&s, &fit))
         stad_affine_at_q8(&fit, any(-(1 << 20), 1 << 20), any(-(1 << 20), 1 << 20));
